@@ -12,6 +12,7 @@ local circles = require "tests.circles"
 -- A part of the generator is a folder (or a file at the top) and may require itself and what is listed here.
 local ARROWS = {
   algebra = { "polhode_rational" },
+  formula = { "algebra" }, -- expressions and theory as formulas, in five styles
   diag = {},
   hash = {},
   later = {}, -- known to all
@@ -20,25 +21,25 @@ local ARROWS = {
   stages = {}, -- fields of what one part hands to the next
   functions = { "dynamics", "methods" }, -- which ones a plan has
   -- interchange: shapes whose numbers another program wrote; mass: what is said of a tensor
-  dsl = { "algebra", "diag", "interchange", "nearest", "mass" },
+  dsl = { "algebra", "formula", "diag", "interchange", "nearest", "mass" },
   interchange = { "algebra", "diag", "nearest", "mass" },
-  mass = { "algebra", "diag", "geometry" }, -- geometry: does a hole lie inside its body?
+  mass = { "algebra", "formula", "diag", "geometry" }, -- geometry: does a hole lie inside its body?
   effects = { "algebra" },
   geometry = {},
   draw = {},
   attitude = {}, -- quaternion, matrix, angles: plain numbers
   plot = { "draw", "attitude" }, -- what is drawn of a motion
   language = {}, -- the scene language as definitions for editors; tables of other parts are handed to it
-  page = { "algebra", "geometry" }, -- the HTML file of a scene; algebra: its formulas
-  dynamics = { "algebra", "mass", "stages" }, -- mass: principal axes and validity of the tensor that moves
+  page = { "algebra", "geometry" }, -- the HTML file of a scene
+  dynamics = { "algebra", "formula", "mass", "stages" }, -- mass: principal axes and validity of the tensor that moves
   methods = { "algebra", "dynamics" },
   ir = { "algebra", "polhode_rational" },
   -- dynamics: the free top with many digits, for constants and expected states
-  emit = { "algebra", "ir", "dynamics", "hash", "selection" },
-  plan = { "algebra", "dynamics", "methods", "ir", "cost", "hash" },
+  emit = { "algebra", "formula", "ir", "dynamics", "hash", "selection" },
+  plan = { "algebra", "formula", "dynamics", "methods", "ir", "cost", "hash" },
   cost = {}, -- operations counted in text that was made, and what they take
   -- dynamics: equations with an effect left out; cost: of functions
-  report = { "algebra", "mass", "dynamics", "emit", "draw", "cost" },
+  report = { "algebra", "formula", "mass", "dynamics", "emit", "draw", "cost" },
   driver = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "report", "nearest",
     "selection", "stages", "functions", "attitude" },
   commands = { "algebra", "diag", "dsl", "mass", "effects", "dynamics", "methods", "ir", "emit", "cost", "plan",

@@ -11,7 +11,7 @@ package.path = "./?.lua;" .. package.path
 package.cpath = "build/lua/?.so;" .. package.cpath
 
 local expr = require "generator.algebra.expr"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local lower = require "generator.ir.lower.lower"
 local scene = require "tests.scene"
 local program = require "tests.cli.program"

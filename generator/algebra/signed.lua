@@ -1,4 +1,4 @@
--- signed.lua -- where signs stand when an expression is written: what algebra/text, page/mathml and the hand-out share.
+-- signed.lua -- where signs stand when an expression is written: formula/expression.lua asks it.
 --
 --     signed.product(e, sign, name) -> {minus, c, above, below}    sign e as +-c above/below, c a positive rational
 --     signed.terms(e, sign, name)   -> the products of sign e, e a sum, in the order in which they are written

@@ -23,7 +23,7 @@ explain.options = {
     "explanations; markdown, latex, html and typst a hand-out with set formulas; urdf, mjcf and sdf the <inertial> " ..
     "of a robot file", value = "FORMAT", default = "text" },
   { "--sections", "words", "of a hand-out: all, or some of " .. table.concat(handout.sections, ", "),
-    value = "WORD,...", default = "all but costs" },
+    value = "WORD,...", default = "all but attitude and costs" },
   { "--diff", false, "compare two scenes; as text or json" },
   { "--real", { "double", "float" }, "the type for which costs are given", default = "double" },
   { "--target", "words", "count instructions, flash and stack on small processors under emulators: all, or some of " ..

@@ -6,6 +6,8 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local facts = require "generator.commands.view.facts"
+local panel = require "generator.report.handout.panel"
+local report = require "generator.report.facts"
 local driven = require "generator.commands.driven"
 local options = require "generator.commands.options"
 local recorded = require "generator.commands.view.recorded"
@@ -115,12 +117,12 @@ local function compiled(host, unit)
   return nil, "the page's code does not compile:\n" .. said
 end
 
--- Writes a page: its facts, and the code that it runs or nil; ground: of a body that flies and lands that on the plane.
-local function written(host, scene, given, known, wasm, ground)
-  local html = page.html(host.templates, host.sha256, { facts = known, shape = solid.of(scene), code = wasm,
-    ground = ground,
-    formulas = facts.formulas(scene) })
-  return options.write(host, "view", given.o or scene.model.name .. ".html", html)
+-- Writes a page: its plan, its facts, and the code that it runs or nil; ground: of a body that flies and lands that on
+-- the plane.
+local function written(host, plan, given, known, wasm, ground)
+  local html = page.html(host.templates, host.sha256, { facts = known, shape = solid.of(plan), code = wasm,
+    ground = ground, formulas = panel.html(report.of(plan)) })
+  return options.write(host, "view", given.o or plan.model.name .. ".html", html)
 end
 
 -- The motion as binary glTF: of the body's places those that the scene has, in space or on a plane, while it touches.
@@ -166,7 +168,9 @@ local function played(host, scene, given)
   if not motion then return run.refuse(host, failure, nil, "view") end
   local known = facts.of(scene)
   known.recorded, known.horizon = motion, motion.finish
-  return written(host, given.ground or scene, given, known, nil)
+  local plan, d = driver.plan(given.ground or scene, { command = "polhode view" })
+  if not plan then return options.refuse(host, d) end
+  return written(host, plan, given, known, nil)
 end
 
 -- Plan, unit and WebAssembly of a scene; or nil and the exit status.
@@ -185,12 +189,12 @@ local function live(host, scene, given, flight)
   local list = chosen({ scene, flight }, given)
   local own, status = built(host, scene, given, list)
   if not own then return status end
-  if not flight then return written(host, scene, given, facts.compiled(scene, own.plan, own.unit), own.wasm) end
+  if not flight then return written(host, own.plan, given, facts.compiled(scene, own.plan, own.unit), own.wasm) end
   local air, wrong = built(host, flight, given, list, true)
   if not air then return wrong end
   local known = facts.phases(facts.compiled(flight, air.plan, air.unit),
     facts.compiled(scene, own.plan, own.unit), scene)
-  return written(host, scene, given, known, air.wasm, own.wasm)
+  return written(host, own.plan, given, known, air.wasm, own.wasm)
 end
 
 -- Why a motion cannot be shown in space and what can be done, or nil.  name: the scene as the command line has it.

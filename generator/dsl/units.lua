@@ -7,7 +7,7 @@
 
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local unitnames = require "generator.dsl.unitnames"
 
 local units = {}

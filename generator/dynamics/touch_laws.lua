@@ -66,7 +66,8 @@ function touch_laws.facts(m, e)
   return f
 end
 
--- Every law that there is: {key, what, formula, latex, unit, e: an expression of the states and t, holds}.
+-- Every law that there is: {key, symbol, formula (notation of formula/read.lua), what, unit, e: an expression of the
+-- states and t, holds}.
 function touch_laws.all(m)
   local e, list = contact.of(m), {}
   local a = e.a
@@ -79,43 +80,42 @@ function touch_laws.all(m)
   local along = { vec.matvec(k.back, k.e1), vec.matvec(k.back, k.e2), k.up } -- e1, e2 and n in body axes
   local V = vec.add(vec.scale(x, along[1]), vec.add(vec.scale(y, along[2]), vec.scale(z, k.up)))
   local rolls, level, R = a.law == "rolling", f.level, f.surface.rim
-  local function put(key, what, formula, latex, unit, value, holds)
-    list[#list + 1] = { key = key, what = what, formula = formula, latex = latex, unit = unit, e = value,
+  local function put(key, symbol, formula, what, unit, value, holds)
+    list[#list + 1] = { key = key, symbol = symbol, formula = formula, what = what, unit = unit, e = value,
       holds = alone and holds or false }
   end
   if rolls and a.rate ~= zero then
     local p1, p2 = c.own.p1, c.own.p2
     local J = vec.dot(k.up, L) + mass * (p1 * y - p2 * x)
     local E = (vec.dot(w, L) + mass * vec.dot(V, V)) / 2 + calculus.substitute(e.spec.potential(a, c), { [c.M] = mass })
-    put("turntable_energy", "conserved on a turntable", "E - Omega n.(L + m p x V)",
-      "E - \\Omega\\,n\\cdot(L + m\\,p\\times V)", "J", E - a.rate * J, level)
+    put("turntable_energy", "E_0", "E - Omega ~n . ( ~L + M ~p x ~v )", "conserved on a turntable", "J",
+      E - a.rate * J, level)
   end
-  put("jellett", "Jellett's integral, conserved", "-L.r", "-L\\cdot r", "kg m^3/s", -vec.dot(L, r),
+  put("jellett", "C_J", "- ~L . ~r", "Jellett's integral, conserved", "kg m^3/s", -vec.dot(L, r),
     f.sphere and (f.aligned or none(f.centre)))
   if rolls and f.axis then
-    put("routh", "Routh's integral, conserved", "w3 sqrt(I1 I3 + m r.I r)",
-      "\\omega_3\\sqrt{I_1I_3 + m\\,r\\cdot Ir}", "kg m^2 rad/s",
+    put("routh", "C_R", "omega_3 sqrt(I_1 I_3 + M ~r . I ~r)", "Routh's integral, conserved", "kg m^2 rad/s",
       vec.dot(w, f.axis) * expr.sqrt(f.I1 * f.I3 + mass * vec.dot(r, vec.apply(I, r))),
       f.sphere and f.aligned and level and a.rate == zero)
   end
   local K, slope = vec.sub(L, vec.scale(mass, vec.cross(r, V))), vec.cross(a.normal, a.gravity)
   for i, name in ipairs { "e1", "e2", "n" } do
     local lift = vec.dot(slope, ({ a.e1, a.e2, a.normal })[i])
-    put("chaplygin_" .. name, "Chaplygin's vector along " .. name .. ", conserved",
-      "(L - m r x V" .. (level and "" or " - m R (n x G) t") .. ")." .. name,
-      "(L - m\\,r\\times V" .. (level and "" or " - mR\\,(n\\times G)\\,t") .. ")\\cdot " ..
-        (string.gsub(name, "e", "e_")),
+    local axis = name == "n" and "~n" or "~e_" .. string.sub(name, 2)
+    put("chaplygin_" .. name, "C_" .. (name == "n" and "n" or "e" .. string.sub(name, 2)),
+      "( ~L - M ~r x ~v" .. (level and "" or " - M R ( ~n x ~g ) t") .. " ) . " .. axis,
+      "Chaplygin's vector along " .. name .. ", conserved",
       "N m s", vec.dot(K, along[i]) - mass * R * lift * state.t, f.sphere and none(f.centre))
   end
   if rolls then
-    put("spin_about_normal", "of a homogeneous ball, conserved", "w.n", "\\omega\\cdot n", "rad/s", vec.dot(w, k.up),
-      f.ball or false)
+    put("spin_about_normal", "omega_n", "~omega . ~n", "spin about the normal of a homogeneous ball, conserved",
+      "rad/s", vec.dot(w, k.up), f.ball or false)
   end
   if a.law == "smooth" then
-    put("momentum_about_normal", "nothing turns it about the normal, conserved", "L.n", "L\\cdot n", "N m s",
+    put("momentum_about_normal", "L_n", "~L . ~n", "nothing turns it about the normal: conserved", "N m s",
       vec.dot(L, k.up), true)
     if f.axis then
-      put("momentum_about_axis", "of a body of revolution, conserved", "I3 w3", "I_3\\omega_3", "N m s",
+      put("momentum_about_axis", "L_3", "I_3 omega_3", "of a body of revolution, conserved", "N m s",
         f.I3 * vec.dot(w, f.axis), f.sphere and f.aligned or f.revolved)
     end
   end

@@ -9,7 +9,7 @@
 local R = require "generator.algebra.rational"
 local calculus = require "generator.algebra.calculus"
 local expr = require "generator.algebra.expr"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local number = require "generator.emit.number"
 local source = require "generator.emit.source"
 

@@ -2,7 +2,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local inputs = require "generator.dynamics.inputs"
 local number = require "generator.emit.number"
 

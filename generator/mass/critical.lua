@@ -15,7 +15,7 @@ local evaluate = require "generator.algebra.evaluate"
 local poly = require "generator.algebra.poly"
 local radical = require "generator.algebra.radical"
 local ratio = require "generator.algebra.ratio"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 
 local critical = {}
 
@@ -250,7 +250,7 @@ local function root_text(q, style)
   outside, inside = expr.mul(outside), expr.mul(inside)
   if inside == expr.one then return text.of(outside, style) end
   local under = text.of(inside, style)
-  local root = style == "latex" and "\\sqrt{" .. under .. "}" or style == "plain" and "sqrt(" .. under .. ")" or
+  local root = style == "plain" and "sqrt(" .. under .. ")" or
     string.find(under, "^%w+$") and "√" .. under or "√(" .. under .. ")"
   if outside == expr.one then return root end
   local before = text.of(outside, style)
@@ -296,7 +296,7 @@ function critical:solutions(e, relation)
   return list
 end
 
-local words = { plain = { ["≠"] = "!=" }, latex = { ["≠"] = "\\ne" }, unicode = {} }
+local words = { plain = { ["≠"] = "!=" }, unicode = {} }
 
 local function right_text(s, style) return s.squared and root_text(s.right, style) or text.of(s.right, style) end
 

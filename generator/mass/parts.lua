@@ -19,7 +19,7 @@ local R = require "generator.algebra.rational"
 local calculus = require "generator.algebra.calculus"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local vec = require "generator.algebra.vec"
 local maps = require "generator.mass.maps"
 

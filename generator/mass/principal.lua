@@ -14,7 +14,7 @@
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local R = require "generator.algebra.rational"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local vec = require "generator.algebra.vec"
 
 local principal = {}

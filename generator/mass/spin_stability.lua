@@ -20,7 +20,7 @@
 
 local expr = require "generator.algebra.expr"
 local critical = require "generator.mass.critical"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local vec = require "generator.algebra.vec"
 
 local stability = {}
@@ -248,11 +248,6 @@ local function common(tree)
   return found
 end
 
-local connectives = {
-  unicode = { ["and"] = " and ", ["or"] = " or " }, plain = { ["and"] = " and ", ["or"] = " or " },
-  latex = { ["and"] = " \\text{ and } ", ["or"] = " \\text{ or } " },
-}
-
 -- The tree as text; true and false as words.
 function stability:text(tree, style)
   style = style or "unicode"
@@ -261,14 +256,14 @@ function stability:text(tree, style)
     if t == true then return "always" end
     if t == false then return "never" end
     if t.op then
-      local s = render(t[1], t.op) .. connectives[style][t.op] .. render(t[2], t.op)
+      local s = render(t[1], t.op) .. " " .. t.op .. " " .. render(t[2], t.op)
       return inside and inside ~= t.op and "(" .. s .. ")" or s
     end
     if #t.atoms == 1 then return self.critical:condition(t.atoms[1], t.relation, style, prefer) end
     local list = {}
     for i, a in ipairs(t.atoms) do list[i] = "(" .. text.of(a, style) .. ")" end
     local relation = t.relation
-    if relation == "≠" and style ~= "unicode" then relation = style == "latex" and "\\ne" or "!=" end
+    if relation == "≠" and style ~= "unicode" then relation = "!=" end
     return table.concat(list, style == "plain" and "*" or " ") .. " " .. relation .. " 0"
   end
   return render(tree)

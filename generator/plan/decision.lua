@@ -8,7 +8,7 @@
 local R = require "generator.algebra.rational"
 local double = require "generator.algebra.double"
 local hash = require "generator.hash"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local err = require "generator.plan.error"
 local rates = require "generator.plan.rates"
 local states = require "generator.plan.states"

@@ -3,7 +3,7 @@
 
 local context = require "generator.dynamics.context"
 local expr = require "generator.algebra.expr"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local vec = require "generator.algebra.vec"
 
 local derivation = {}

@@ -6,7 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local equations = require "generator.dynamics.equations"
 local attribution = require "generator.report.attribution"
 local json = require "generator.report.json"

@@ -24,43 +24,36 @@ local function start(m)
     a = double((omega[1] * g[1] + omega[2] * g[2]) / across) }, double((omega[1] * g[2] - omega[2] * g[1]) / across)
 end
 
-local flat = "\\pi\\sqrt{1 + mR^2/(I_1 + m\\varrho^2)}"
-
 local function swing(d, put, z, rate)
   local spin, precession = disc.integrals(d, z)
-  put("upright_spin", "linear integral (Appell, Korteweg): w3 of the solution where it is upright", "w3 at 90 deg",
-    "\\omega_3(90^\\circ)", spin, "rad/s")
-  put("upright_precession", "the other: its precession there", "phi' at 90 deg", "\\dot\\varphi(90^\\circ)", precession,
-    "rad/s")
+  put("upright_spin", "C_1", nil, "linear integral (Appell, Korteweg): the spin of the solution where it is upright",
+    spin, "rad/s")
+  put("upright_precession", "C_2", nil, "the other: its precession there", precession, "rad/s")
   local f = disc.swing(d, z, rate)
   if not f.least then
-    put("tilt_least", "it falls flat, and then touches along a line", "0", "0", 0.0, "deg")
+    put("tilt_least", "theta_min", nil, "it falls flat, and then touches along a line", 0.0, "deg")
     return
   end
   local function deg(n) return math.deg(math.atan(n.s, n.c)) end
-  local function roots(which) return which .. " root of W = J theta'^2/2", "W(\\theta_" .. which .. ") = 0" end
-  local formula, latex = roots "least"
-  put("tilt_least", "between the axis and the normal", formula, latex, deg(f.least), "deg")
-  formula, latex = roots "greatest"
-  put("tilt_greatest", "the same; equal to the least in steady rolling", formula, latex, deg(f.greatest), "deg")
-  put("reaction_tilt_least", "", "N = m (G + R c theta'')", "N = m(G + Rc\\ddot\\theta)", disc.reaction(d, f.least),
-    "N")
-  put("reaction_tilt_greatest", "", "N = m (G + R c theta'')", "N = m(G + Rc\\ddot\\theta)",
+  put("tilt_least", "theta_min", nil, "least tilt between the axis and the normal", deg(f.least), "deg")
+  put("tilt_greatest", "theta_max", nil, "greatest tilt; equal to the least in steady rolling", deg(f.greatest), "deg")
+  put("reaction_tilt_least", "N_min", "M ( g + R cos(theta) theta'' )", "reaction at the least tilt",
+    disc.reaction(d, f.least), "N")
+  put("reaction_tilt_greatest", "N_max", "M ( g + R cos(theta) theta'' )", "reaction at the greatest tilt",
     disc.reaction(d, f.greatest), "N")
   if f.N then
-    put("reaction_least", f.N > 0 and "in the swing: it stays on the plane" or
-      "in the swing: contact is lost before, and what is said of the whole swing does not hold",
-      "N = m (G + R (c theta'' - s theta'^2))", "N = m(G + R(c\\ddot\\theta - s\\dot\\theta^2))", f.N, "N")
+    put("reaction_least", "N_0", "M ( g + R ( cos(theta) theta'' - sin(theta) theta'^2 ) )", f.N > 0 and
+      "least reaction in the swing: it stays on the plane" or "least reaction in the swing: contact is lost before, " ..
+      "and what is said of the whole swing does not hold", f.N, "N")
   end
   if f.period then
-    put("tilt_period", "of the tilt", "2 int dtheta/theta'", "2\\int d\\theta/\\dot\\theta", f.period, "s")
-    put("contact_turn", "of the contact point about the normal in it, as of the precession", "2 int phi'/theta' dtheta",
-      "2\\int(\\dot\\varphi/\\dot\\theta)\\,d\\theta", math.deg(f.turn), "deg")
-    put("precession_rate", "about the normal, on average", "contact_turn/tilt_period",
-      "\\langle\\dot\\varphi\\rangle", f.turn / f.period, "rad/s")
+    put("tilt_period", "tau", "2 int {1|theta'} dtheta", "period of the tilt", f.period, "s")
+    put("contact_turn", "psi", "2 int {phi'|theta'} dtheta",
+      "turn of the contact point about the normal in it, as of the precession", math.deg(f.turn), "deg")
+    put("precession_rate", "phi'", "{psi|tau}", "precession about the normal, on average", f.turn / f.period, "rad/s")
   end
-  put("contact_turn_flat", "what |contact turn| tends to for ever flatter falls", "pi sqrt(1 + m R^2/(I1 + m rho^2))",
-    flat, math.deg(disc.flat_turn(d)), "deg")
+  put("contact_turn_flat", "psi_0", "pi sqrt(1 + {M R^2|I_1 + M rho^2})", "what |psi| tends to for ever flatter falls",
+    math.deg(disc.flat_turn(d)), "deg")
 end
 
 -- The rows; I1, I3, mass, G: numbers.

@@ -5,9 +5,11 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local vec = require "generator.algebra.vec"
 local equations = require "generator.dynamics.equations"
+local linear = require "generator.formula.linear"
+local setting = require "generator.formula.setting"
 local switching = require "generator.dynamics.switching"
 local init = require "generator.emit.init"
 local source = require "generator.emit.source"
@@ -17,7 +19,9 @@ local facts = require "generator.report.facts"
 local handout = require "generator.report.handout.handout"
 local json = require "generator.report.json"
 local linearised = require "generator.report.linearised"
+local order = require "generator.report.order"
 local pieces = require "generator.report.pieces"
+local symbols = require "generator.report.symbols"
 local design = require "generator.report.stability_conditions"
 local values = require "generator.report.values"
 
@@ -81,9 +85,9 @@ local function principal_section(f)
       lines[#lines + 1] = "  about the axis (" .. table.concat(parts, ", ") .. ")"
     end
   end
-  for k = 1, 3 do
+  for n, k in ipairs(order.of(f)) do
     local a = f.axes[k]
-    lines[#lines + 1] = string.format("I%d = %s kg m^2, axis (%s, %s, %s)", k, number(f.moments[k]), number(a[1]),
+    lines[#lines + 1] = string.format("I%d = %s kg m^2, axis (%s, %s, %s)", n, number(f.moments[k]), number(a[1]),
       number(a[2]), number(a[3]))
   end
   return lines
@@ -120,17 +124,18 @@ end
 
 local function stability_section(f)
   local lines = { "small oscillations of a free spin w about each principal axis (k; i, j cyclic):" ..
-    " Omega1 = (Ik - Ij)/Ii w, Omega2 = (Ik - Ii)/Ij w, Omega^2 = Omega1 Omega2" }
+    " Omega1 = (Ik - Ij)/Ii w, Omega2 = (Ik - Ii)/Ij w; the rates are A cos(sqrt(Omega1 Omega2) t + psi0)" }
   if not f.job.model.has.rates then return { "the body is a point: it does not turn" } end
   if #f.job.record.effects > 0 then lines[#lines + 1] = "(of the body without its effects)" end
-  for k, s in ipairs(f.stability) do
+  for n, k in ipairs(order.of(f)) do
+    local s = f.stability[k]
     local tail = s.period and ", period " .. number(s.period) .. "/w" or s.growth and ", growth rate " ..
       number(s.growth) .. " w" or ""
-    lines[#lines + 1] = string.format("axis %d: %s; Omega1 = %s w, Omega2 = %s w%s", k, s.verdict, number(s.omega1),
+    lines[#lines + 1] = string.format("axis %d: %s; Omega1 = %s w, Omega2 = %s w%s", n, s.verdict, number(s.omega1),
       number(s.omega2), tail)
   end
   for k, e in ipairs(f.conditions or {}) do
-    lines[#lines + 1] = formula("  Omega^2/w^2 about " .. comp[k], e, nil, f.job.model:double(e))
+    lines[#lines + 1] = formula("  Omega1 Omega2/w^2 about " .. comp[k], e, nil, f.job.model:double(e))
   end
   return lines
 end
@@ -252,7 +257,13 @@ local function document(f)
   local corners = switching.of(equations.fork(f.job.equations))
   if corners then section("Corners at times that are not known before", corner_section(corners)) end
   section("Motion", motion_section(f))
-  local initially = values.lines(f)
+  local known = symbols.of(f)
+  local initially = values.lines(f, known.reader)
+  for _, c in ipairs(known:said()) do
+    local name = setting.of(linear.ascii, c.node)
+    initially[#initially + 1] = (c.name and c.name .. " is a name of the scene, so " or "") .. c.meaning ..
+      " is written " .. name
+  end
   if #initially > 0 then section("Values of the motion", initially) end
   section("Stability", stability_section(f))
   if f.job.model.has.rates then
@@ -278,16 +289,13 @@ end
 
 local writers = {}
 
--- A line of words; some have a form of their own for LaTeX: {text =, latex =}.
-local function words(l) return type(l) == "table" and l.text or l end
-
 function writers.text(f)
   local out = { f.name .. " (" .. f.file .. ")" }
   for _, s in ipairs(document(f)) do
     out[#out + 1] = "\n" .. s.title
     for _, l in ipairs(s.lines) do
-      if type(l) == "string" or l.text then
-        out[#out + 1] = "  " .. words(l)
+      if type(l) == "string" then
+        out[#out + 1] = "  " .. l
       else
         local sides = { l.name } -- the name, the formula, the number; what repeats is said once
         local value, plain = text.of(in_names(f, l.e), "unicode"), l.number and number(l.number)

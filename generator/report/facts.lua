@@ -74,6 +74,8 @@ function facts.of(job)
   f.physical = not m.formal or law.lawful(vec.map(m.centroidal, function(e) return m:number(e) end))
   f.symmetry = m.structure.rod and "rod: no moment about its line" or words[m.structure.kind]
   f.stability = stability(precise)
+  local w = doubles(m.omega)
+  f.rate = m.has.rates and math.sqrt(vec.dot(w, w)) or 0.0
   f.closed = job.closed
   f.warnings = job.diag.warnings
   -- the same with symbols, for bodies whose principal axes are coordinate axes and whose moments all differ

@@ -7,7 +7,7 @@
 
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local vec = require "generator.algebra.vec"
 local maps = require "generator.mass.maps"
 

@@ -16,7 +16,6 @@ local expr = require "generator.algebra.expr"
 local poly = require "generator.algebra.poly"
 local roots = require "generator.algebra.roots"
 local section = require "generator.algebra.section"
-local text = require "generator.algebra.text"
 local mass = require "generator.mass.spin_stability"
 local validity = require "generator.mass.validity"
 local json = require "generator.report.json"
@@ -165,8 +164,8 @@ local longest = 160 -- characters of a condition in a report
 local function number(x) return string.format("%.4g", x) end
 
 -- "0.05 m < b < 0.2 m" or "h > 0.05 m": where the verdict stays as it is.
-local function range(m, name, pad)
-  local unit = m.unit ~= "" and m.unit ~= "1" and string.format(pad, m.unit) or ""
+local function range(m)
+  local name, unit = m.name, m.unit ~= "" and m.unit ~= "1" and " " .. m.unit or ""
   local below, above = m.below and number(m.below) .. unit, m.above and number(m.above) .. unit
   if not below then return name .. " < " .. above end
   if not above then return name .. " > " .. below end
@@ -183,19 +182,13 @@ local function axis_lines(f, e, name, dissipation, lines)
     return
   end
   local condition = f.design:condition(e.place, dissipation, "unicode")
-  local formula = f.design:condition(e.place, dissipation, "latex")
-  if string.find(condition, "^never") or string.find(condition, "^always") then
-    formula = string.gsub(formula, "if (.*)%)$", "if \\( %1 \\))") -- the words around a formula are no formula
-  else
-    said, formula = said .. "stable iff ", "\\( " .. formula .. " \\)"
-  end
-  if utf8.len(condition) > longest then condition, formula = "(a long polynomial)", "(a long polynomial)" end
-  lines[#lines + 1] = { text = said .. condition .. "; here " .. verdict,
-    latex = said .. formula .. "; here " .. verdict }
+  local whatever = string.find(condition, "^never") or string.find(condition, "^always")
+  if not whatever then said = said .. "stable iff " end
+  if utf8.len(condition) > longest then condition = "(a long polynomial)" end
+  lines[#lines + 1] = said .. condition .. "; here " .. verdict
   for _, m in ipairs(e["margins" .. way]) do
     local now = " (now " .. number(m.default) .. ")"
-    lines[#lines + 1] = { text = "  " .. verdict .. " while " .. range(m, m.name, " %s") .. now,
-      latex = verdict .. " while \\( " .. range(m, text.of(m.sym, "latex"), "\\ \\mathrm{%s}") .. " \\)" .. now }
+    lines[#lines + 1] = "  " .. verdict .. " while " .. range(m) .. now
   end
 end
 

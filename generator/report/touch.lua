@@ -22,19 +22,17 @@ local function integrals(m, put)
   local start = { [state.t] = expr.zero }
   for _, s in ipairs(m.states) do start[s.sym] = s.initial end
   for _, law in ipairs(touch_laws.of(m)) do
-    put(law.key, law.what, law.formula, law.latex, m:double(calculus.substitute(law.e, start)), law.unit)
+    put(law.key, law.symbol, law.formula, law.what, m:double(calculus.substitute(law.e, start)), law.unit)
   end
 end
 
--- The critical rates in words, by the law of the contact.
+-- The critical rates by the law of the contact.
 local formulas = {
-  smooth = { "2 sqrt(I1 m G (h - rho))/I3", "2\\sqrt{I_1mG(h - \\varrho)}/I_3" },
-  rolling = { "2 sqrt((I1 + m h^2) m G (h - rho))/(I3 + m h rho)",
-    "2\\sqrt{(I_1 + mh^2)mG(h - \\varrho)}/(I_3 + mh\\varrho)" },
-  sliding = { "sqrt(m G (h - rho) h/(rho (I3 - I1 rho/h)))",
-    "\\sqrt{mG(h - \\varrho)h/(\\varrho(I_3 - I_1\\varrho/h))}" },
-  straight = { "sqrt(m G R I1/(I3 (I3 + m (R + rho)^2)))", "\\sqrt{mGRI_1/(I_3(I_3 + m(R + \\varrho)^2))}" },
-  edge = { "sqrt(m G R/(I1 + m (R + rho)^2))", "\\sqrt{mGR/(I_1 + m(R + \\varrho)^2)}" },
+  smooth = "{2 sqrt(I_1 M g ( h - rho ))|I_3}",
+  rolling = "{2 sqrt(( I_1 + M h^2 ) M g ( h - rho ))|I_3 + M h rho}",
+  sliding = "sqrt({M g ( h - rho ) h|rho ( I_3 - {I_1 rho|h} )})",
+  straight = "sqrt({M g R I_1|I_3 ( I_3 + M ( R + rho )^2 )})",
+  edge = "sqrt({M g R|I_1 + M ( R + rho )^2})",
 }
 
 -- What the rate of an upright spin must be, a rate^2 > c: its least or greatest one, 0 where any will do, or none.
@@ -52,14 +50,14 @@ local function critical(m, law, put)
       name, what = "below", "friction turns it over at every rate"
     end
     if key == "straight" then
-      put("rolling_straight_above", "upright and rolling straight: stable above this w3", formulas.straight[1],
-        formulas.straight[2], rate, "rad/s")
+      put("rolling_straight_above", "omega_straight", formulas.straight,
+        "upright and rolling straight: stable above this spin", rate, "rad/s")
     elseif key == "edge" then
-      put("spinning_on_edge_above", "upright and spinning about the normal: stable above this rate", formulas.edge[1],
-        formulas.edge[2], rate, "rad/s")
+      put("spinning_on_edge_above", "omega_edge", formulas.edge,
+        "upright and spinning about the normal: stable above this rate", rate, "rad/s")
     else
-      put("upright_z_" .. key .. "_" .. name, "spinning upright with z " .. key .. ": " .. what, formulas[law][1],
-        formulas[law][2], rate, "rad/s")
+      put("upright_z_" .. key .. "_" .. name, "omega_" .. key .. "ward", formulas[law],
+        "spinning upright with z " .. key .. ": " .. what, rate, "rad/s")
     end
   end
 end
@@ -71,15 +69,13 @@ local function ball(m, f, put, a, mass, G)
   local along = vec.cross(G, vec.map(a.normal, function(e) return m:double(e) end)) -- as long as G along the plane
   local slope = math.sqrt(vec.dot(along, along))
   if rate ~= 0 then
-    put("circle_rate", "V' = k Omega n x V + (1 - k) G_t: the centre's circles", "k Omega, k = I/(I + m R^2)",
-      "k\\Omega,\\ k = I/(I + mR^2)", k * rate, "rad/s")
+    put("circle_rate", "Omega_circle", "{I Omega|I + M R^2}", "rate of the circles of the centre", k * rate, "rad/s")
     if slope ~= 0 then
-      put("drift", "across the slope", "(1 - k) G_t/(k Omega)", "(1 - k)G_t/(k\\Omega)", rest * slope / (k * rate),
+      put("drift", "v_drift", "{M R^2 g_along|I Omega}", "of the centre, across the slope", rest * slope / (k * rate),
         "m/s")
     end
   else
-    put("acceleration", "of the centre down the slope: V' = (1 - k) G_t", "(1 - k) G_t, k = I/(I + m R^2)",
-      "(1 - k)G_t,\\ k = I/(I + mR^2)", rest * slope, "m/s^2")
+    put("acceleration", "a", "{M R^2 g_along|I + M R^2}", "of the centre down the slope", rest * slope, "m/s^2")
   end
 end
 
@@ -93,16 +89,13 @@ local function rolling(m, put)
   local sine = R.apply("sqrt", bits, square) / whole
   for i, s in ipairs(steady.of(m, sine, g[3] / whole, m:number(m.omega[3])) or {}) do
     local number, stable = string.format("%d", i), R.sign(s.nod) >= 0
-    put("steady_precession_" .. number, "about the normal, for this tilt and w3; contact x, y across and along the " ..
-      "axis, height h, b = y s - x c",
-      "s (I1 c - m h y) p^2 - (I3 s - m h x) w3 p = m G b", "s(I_1c - mhy)p^2 - (I_3s - mhx)\\omega_3p = mGb", s.n,
-      "rad/s")
-    put((stable and "steady_nutation_" or "steady_growth_") .. number, (stable and
-      "small nutation about it: it is stable" or "this one is unstable") .. "; " ..
-      "J = I1 + m (x^2 + y^2), U'' = -dM/dtheta along the motion, M the torque that tilts",
-      stable and "sqrt(U''/J)" or "sqrt(-U''/J)",
-      stable and "\\sqrt{U''/J}" or "\\sqrt{-U''/J}", R.sign(s.nod) ~= 0 and
-        R.apply("sqrt", bits, R.abs(s.nod)) or 0.0, "rad/s")
+    local p = "p_" .. number
+    put("steady_precession_" .. number, p, string.gsub("{M g b + ( I_3 s - M h x ) omega_3 P|s ( I_1 c - M h y ) P}",
+      "P", p), "steady precession about the normal for this spin and tilt (cosine c, sine s); the contact is x " ..
+      "across, y along the axis, b = y s - x c, its height h", s.n, "rad/s")
+    put((stable and "steady_nutation_" or "steady_growth_") .. number, (stable and "Omega_" or "sigma_") .. number, nil,
+      stable and "rate of a small nutation about it: it is stable" or "rate of growth of a small one: it is unstable",
+      R.sign(s.nod) ~= 0 and R.apply("sqrt", bits, R.abs(s.nod)) or 0.0, "rad/s")
   end
 end
 

@@ -3,15 +3,18 @@
 -- Free bodies: Landau and Lifshitz, Mechanics, sections 33 and 37, with periods and turns of dynamics/free_top.lua.
 -- The heavy symmetric top: dynamics/heavy_top.lua.  Bodies on a plane: touch.lua.
 -- All from the exact initial state with 128 bits and more, rounded once: what cancels costs no digit.  Nine are
--- written.
+-- written.  Axes 1, 2, 3 are those of report/order.lua.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
 local vec = require "generator.algebra.vec"
 local contact = require "generator.dynamics.contact"
-local free_top = require "generator.dynamics.free_top"
 local heavy_top = require "generator.dynamics.heavy_top"
+local linear = require "generator.formula.linear"
+local read = require "generator.formula.read"
+local setting = require "generator.formula.setting"
 local json = require "generator.report.json"
+local order = require "generator.report.order"
 local touch = require "generator.report.touch"
 
 local values = {}
@@ -28,14 +31,14 @@ local function degrees(x) return R.new(180) * x / pi() end
 
 local function angle(a, b) return degrees(R.apply("atan2", bits, length(vec.cross(a, b)), vec.dot(a, b))) end
 
--- A list of rows {key, what it is, formula, formula for LaTeX, number, unit}; number: nil where there is none, as of an
--- infinite period.
+-- A list of rows {key, symbol, formula, what, number, unit}; symbol and formula in the notation of formula/read.lua,
+-- formula: nil where there is none in a line.  number: nil where there is none, as of an infinite period.
 local function collector()
   local list = {}
-  return list, function(key, what, formula, latex, number, unit)
+  return list, function(key, symbol, formula, what, number, unit)
     if R.is(number) then number = R.todouble(number) end
     if number and number - number == 0 then
-      list[#list + 1] = { key = key, what = what, formula = formula, latex = latex, number = number, unit = unit }
+      list[#list + 1] = { key = key, symbol = symbol, formula = formula, what = what, number = number, unit = unit }
     end
   end
 end
@@ -52,48 +55,76 @@ local function symmetric(f, put, w, L)
   k = vec.scale(R.one / length(k), k)
   if R.sign(vec.dot(k, L)) < 0 then k = vec.scale(-R.one, k) end
   local I1, I3, w3 = m:number(s.alpha), m:number(s.axial), vec.dot(k, w)
-  local wobble, precession = (I3 - I1) / I1 * w3, length(L) / I1
-  put("precession_rate", "of the axis about L", "|L|/I1", "|L|/I_1", precession, "rad/s")
-  put("precession_period", "", "2 pi I1/|L|", "2\\pi I_1/|L|", period(precession), "s")
+  local across = length(vec.cross(k, w))
+  put("spin", "omega_3", "~omega . ~e_3", "spin about the axis of symmetry", w3, "rad/s")
+  put("across", "A", "sqrt(omega^2 - omega_3^2)", "angular velocity across this axis", across, "rad/s")
+  put("precession_rate", "phi'", "{L|I_1}", "precession: of the axis about L, in space", length(L) / I1, "rad/s")
+  put("precession_period", "tau_p", "{2 pi|phi'}", "its period", period(length(L) / I1), "s")
   if s.rod then return end
-  put("wobble_rate", "of w about the axis, in the body", "(I3 - I1)/I1 w3", "(I_3 - I_1)\\omega_3/I_1", wobble,
+  local wobble = (I3 - I1) / I1 * w3
+  put("wobble_rate", "Omega", "{I_3 - I_1|I_1} omega_3", "of the angular velocity about the axis, in the body", wobble,
     "rad/s")
-  put("wobble_period", "", "2 pi/|wobble_rate|", "2\\pi/|\\Omega|", period(wobble), "s")
-  put("axis_to_L", "between the axis and L", "atan(I1 w_across/(I3 w3))", "\\arctan(I_1\\omega_\\perp/(I_3\\omega_3))",
-    angle(k, L), "deg")
-  put("body_cone", "half angle of the cone of w in the body", "atan(w_across/w3)", "\\arctan(\\omega_\\perp/\\omega_3)",
+  put("wobble_period", "tau_w", "{2 pi||Omega|}", "its period", period(wobble), "s")
+  put("axis_to_L", "theta", "atan({I_1 A|I_3 omega_3})", "angle between the axis and L", angle(k, L), "deg")
+  put("body_cone", "alpha", "atan({A|omega_3})", "half angle of the cone of the angular velocity in the body",
     angle(k, w), "deg")
-  put("space_cone", "half angle of the cone of w in space", "|axis_to_L - body_cone|", "|\\theta - \\alpha|",
-    angle(L, w), "deg")
+  put("space_cone", "beta", "|theta - alpha|", "half angle of its cone in space", angle(L, w), "deg")
+end
+
+-- Landau and Lifshitz, (37.8) to (37.12): `own` has cn, `middle` sn, `round` dn, about which L goes round.
+local function elliptic_rows(top, put, double)
+  local own, round = top.s > 0 and "1" or "3", top.s > 0 and "3" or "1"
+  local function f(text)
+    return (string.gsub(string.gsub(text, "_a", "_" .. own), "_c", "_" .. round))
+  end
+  -- 2 T I_c - L^2 and the other differences have one sign, that of s
+  local function difference(a, b) return top.s > 0 and a .. " - " .. b or b .. " - " .. a end
+  local far, near = f(difference("2 T I_c", "L^2")), f(difference("L^2", "2 T I_a"))
+  local ca, c2, two_a = f(difference("I_c", "I_a")), f(difference("I_c", "I_2")), f(difference("I_2", "I_a"))
+  put("modulus", "k", f("sqrt({( " .. two_a .. " ) ( " .. far .. " )|( " .. c2 .. " ) ( " .. near .. " )})"),
+    "modulus of Jacobi's functions; 1 on the separatrix", double(top.k), "1")
+  put("argument_rate", "lambda", f("sqrt({( " .. c2 .. " ) ( " .. near .. " )|I_1 I_2 I_3})"),
+    "rate of their argument", double(top.lambda), "rad/s")
+  local amplitudes = { [own] = { f("sqrt({I_a ( " .. far .. " )|" .. ca .. "})"), 1 },
+    ["2"] = { f("sqrt({I_2 ( " .. far .. " )|" .. c2 .. "})"), 2 },
+    [round] = { f("sqrt({I_c ( " .. near .. " )|" .. ca .. "})"), 3 } }
+  for _, n in ipairs { "1", "2", "3" } do
+    local at = amplitudes[n][2]
+    put("amplitude_" .. n, "B_" .. n, amplitudes[n][1], "amplitude of L along axis " .. n,
+      double(top.I[at] * top.b[at]), "N m s")
+  end
+  put("initial_argument", "t_0", nil, "when the middle component is 0 and the one with cn is greatest",
+    double(-top.u0 / top.lambda), "s")
 end
 
 local function asymmetric(f, put)
-  local m = f.job.model
-  local x0 = { R.one, R.zero, R.zero, R.zero }
-  for i = 1, 3 do x0[4 + i] = m:number(m.omega[i]) end
-  local top = free_top.new(vec.map(m.inertia, function(e) return m:number(e) end), x0, bits, two ^ -49)
+  local top = order.motion(f)
   if not top then return end
   local function double(x) return R.todouble(R.round(x, 53)) end
   if top.constant then
-    put("revolution_period", "w is constant", "2 pi/|w|", "2\\pi/|\\omega|", double(two * top.pi / top.b[3]), "s")
+    put("revolution_period", "tau", "{2 pi|omega}", "period of the turn: the angular velocity is constant",
+      double(two * top.pi / top.b[3]), "s")
     return
   end
-  put("modulus", "of Jacobi's functions; 1 on the separatrix", "k", "k", double(top.k), "1")
+  elliptic_rows(top, put, double)
   local rate = top.separatrix and R.zero or top.hyperbolic and top.rate / (two * top.period) or top.rate / two
   if not top.separatrix then
-    put("polhode_period", "w comes back", "4 K(k)/lambda", "4K(k)/\\lambda", 1 / double(rate), "s")
+    put("polhode_period", "tau_1", "{4 K(k)|lambda}", "after which the angular velocity comes back", 1 / double(rate),
+      "s")
   end
   local mean = top.turn - (top.hyperbolic and not top.separatrix and two * top.jump * rate or R.zero)
   local turns = double(two * mean + R.new(top.s) * rate)
-  put("precession_rate", "about L, on average", "mean of L (2T - I w_a^2)/(L^2 - I^2 w_a^2)",
-    "\\langle\\dot\\varphi\\rangle", 2 * math.pi * turns, "rad/s")
-  put("precession_period", "", "2 pi/precession_rate", "2\\pi/\\langle\\dot\\varphi\\rangle", 1 / turns, "s")
+  local c = top.s > 0 and "3" or "1"
+  put("precession_rate", "phi'", string.gsub("mean({L ( 2 T - I_c omega_c^2 )|L^2 - I_c^2 omega_c^2})", "_c", "_" .. c),
+    "precession about L, on average", 2 * math.pi * turns, "rad/s")
+  put("precession_period", "tau_p", "{2 pi|phi'}", "its period", 1 / turns, "s")
   local n = top.separatrix and R.zero or R.floor(top.u0 / (two * top.K)) + R.one
   for i = 1, top.separatrix and 1 or flips do
     local t = ((top.separatrix and R.zero or two * top.K * n) - top.u0) / top.lambda
+    local number = string.format("%d", i)
     if R.sign(t) > 0 then
-      put("flip_" .. string.format("%d", i), "w along the middle axis changes its sign", i == 1 and "next" or "then",
-        "t_" .. string.format("%d", i), double(t), "s")
+      put("flip_" .. number, "t_" .. number, nil, (i == 1 and "next" or "then") ..
+        ": the rate about the middle axis changes its sign", double(t), "s")
     end
     n = n + R.one
   end
@@ -114,22 +145,25 @@ local function heavy(f, put)
   local top = heavy_top.of { I1 = I1, I3 = I3, weight = weight, arm = arm, up = vec.scale(-R.one, up),
     w = numbers(m.omega) }
   local spin, precession = R.abs(top.s), top.precession
-  put("weight_moment", "", "M g l", "Mgl", weight, "N m")
-  put("L_vertical", "conserved", "L.up", "L_z", I1 * top.l, "N m s")
-  put("L_axial", "conserved", "I3 w3", "I_3\\omega_3", I1 * top.s, "N m s")
-  put("tilt_least", "between the axis and the vertical", "acos u2", "\\arccos u_2", degrees(top.tilt[1]), "deg")
-  put("tilt_greatest", "", "acos u1", "\\arccos u_1", degrees(top.tilt[2]), "deg")
-  put("nutation_period", "of the tilt", "2 K(k)/lambda", "2K(k)/\\lambda", top.period, "s")
-  put("precession_rate", "about the vertical, on average", "mean of (L.up - L3 u)/(I1 (1 - u^2))",
-    "\\langle\\dot\\varphi\\rangle", precession, "rad/s")
-  put("precession_period", "", "2 pi/|precession_rate|", "2\\pi/|\\langle\\dot\\varphi\\rangle|",
-    precession and period(precession), "s")
+  put("weight_moment", "G", "M g |~R|", "moment of the weight about the fixed point", weight, "N m")
+  put("L_vertical", "L_z", nil, "vertical component of L, conserved", I1 * top.l, "N m s")
+  put("L_axial", "L_3", "I_3 omega_3", "L along the axis, conserved", I1 * top.s, "N m s")
+  put("tilt_least", "theta_min", nil, "least tilt between the axis and the vertical", degrees(top.tilt[1]), "deg")
+  put("tilt_greatest", "theta_max", nil, "greatest tilt", degrees(top.tilt[2]), "deg")
+  put("nutation_period", "tau_n", "{2 K(k)|lambda}", "period of the tilt", top.period, "s")
+  put("precession_rate", "phi'", "mean({L_z - L_3 cos(theta)|I_1 sin^2(theta)})",
+    "precession about the vertical, on average", precession, "rad/s")
+  put("precession_period", "tau_p", "{2 pi||phi'|}", "its period", precession and period(precession), "s")
   if R.sign(spin) ~= 0 then
-    put("fast_precession_rate", "what it tends to for a fast spin", "M g l/(I3 w3)", "Mgl/(I_3\\omega_3)",
-      weight / (I1 * top.s), "rad/s")
+    put("fast_precession_rate", "phi_fast'", "{G|L_3}", "what it tends to for a fast spin", weight / (I1 * top.s),
+      "rad/s")
   end
-  put("fast_nutation_rate", "so, too", "I3 w3/I1", "I_3\\omega_3/I_1", spin, "rad/s")
-  put("sleeping", "above 1 the upright top is stable", "(I3 w3)^2/(4 I1 M g l)", "(I_3\\omega_3)^2/(4I_1Mgl)",
+  put("fast_nutation_rate", "Omega_fast", "{|L_3||I_1}", "rate of the nutation of a fast spin", spin, "rad/s")
+  if R.sign(I3) > 0 then
+    put("critical_spin", "omega_0", "{2 sqrt(I_1 G)|I_3}", "upright, the top sleeps: it is stable above this spin",
+      two * root(I1 * weight) / I3, "rad/s")
+  end
+  put("sleeping", "sigma", "{L_3^2|4 I_1 G}", "above 1 the upright top is stable",
     I1 * spin * spin / (R.new(4) * weight), "1")
 end
 
@@ -143,12 +177,13 @@ function values.of(f)
   local function numbers(v) return vec.map(v, function(e) return m:number(e) end) end
   local w = numbers(m.omega)
   local L = vec.apply(numbers(m.inertia), w)
-  put("rate", "", "|w|", "|\\omega|", length(w), "rad/s")
-  put("T", "kinetic energy of the rotation", "w.I w/2", "\\tfrac12\\,\\omega\\cdot I\\omega", vec.dot(w, L) / two, "J")
-  put("momentum", "", "|L| = |I w|", "|L| = |I\\omega|", length(L), "N m s")
+  put("rate", "omega", "|~omega|", "size of the angular velocity", length(w), "rad/s")
+  put("T", "T", "{~omega . I ~omega|2}", "kinetic energy of the rotation", vec.dot(w, L) / two, "J")
+  put("momentum", "L", "|I ~omega|", "size of the angular momentum", length(L), "N m s")
   local rests = R.sign(vec.dot(L, L)) == 0
   if not rests then
-    put("w_to_L", "between w and L", "atan(|w x L|/w.L)", "\\angle(\\omega, L)", angle(w, L), "deg")
+    put("w_to_L", "gamma", "atan({|~omega x ~L||~omega . ~L})", "angle between the angular velocity and L", angle(w, L),
+      "deg")
   end
   if f.closed.kind == "lagrange" then heavy(f, put) end
   if #m.record.effects == 0 and not rests then
@@ -160,28 +195,31 @@ end
 
 local function number(x) return json.number(tonumber(string.format("%.9g", x))) end
 
-function values.lines(f)
+local function plain(notation, names)
+  return notation and setting.of(linear.ascii, read.of(notation, names))
+end
+
+-- Lines of text; names: the reader of the document's symbols.
+function values.lines(f, names)
   local lines = {}
   for i, v in ipairs(values.of(f)) do
     local unit = v.unit ~= "1" and " " .. v.unit or ""
-    local tex = v.unit ~= "1" and "\\,\\mathrm{" .. string.gsub(v.unit, " ", "\\,") .. "}" or ""
-    local what = v.what ~= "" and " (" .. v.what .. ")" or ""
-    local name = string.gsub(v.key, "_", " ")
-    lines[i] = { text = name .. ": " .. v.formula .. " = " .. number(v.number) .. unit .. what,
-      latex = name .. ": \\( " .. v.latex .. " = " .. number(v.number) .. tex .. " \\)" .. what }
+    local sides = { plain(v.symbol, names), plain(v.formula, names) }
+    sides[#sides + 1] = number(v.number) .. unit
+    lines[i] = string.gsub(v.key, "_", " ") .. ": " .. table.concat(sides, " = ") .. " (" .. v.what .. ")"
   end
   if #lines > 0 and #f.job.record.effects > 0 then
-    table.insert(lines, 1, { text = "at t = 0; T and L are those of the body's own rotation",
-      latex = "at \\( t = 0 \\); \\( T \\) and \\( L \\) are those of the body's own rotation" })
+    table.insert(lines, 1, "at t = 0; T and L are those of the body's own rotation")
   end
   return lines
 end
 
--- For --format json: an object by keys, each {value, unit, formula}.
+-- For --format json: an object by keys, each {value, unit, symbol, formula}; formula: "" where there is none.
 function values.json(f)
   local entries = {}
   for i, v in ipairs(values.of(f)) do
-    entries[i] = { v.key, json.object { { "value", v.number }, { "unit", v.unit }, { "formula", v.formula } } }
+    entries[i] = { v.key, json.object { { "value", v.number }, { "unit", v.unit }, { "symbol", plain(v.symbol) },
+      { "formula", plain(v.formula) or "" } } }
   end
   return json.object(entries)
 end

@@ -10,7 +10,7 @@ local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local evaluate = require "generator.algebra.evaluate"
 local ratio = require "generator.algebra.ratio"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local recipe = require "tests.algebra.recipe"
 
 local x, y, z = expr.sym "x", expr.sym "y", expr.sym "z"

@@ -17,10 +17,10 @@ local s, c = expr.call("sin", t), expr.call("cos", t)
 
 for _, e in ipairs { a * c ^ 2 + b * s ^ 2, a ^ 2 * c ^ 2 + 1, 4 * a * c ^ 2 * s ^ 2 + b, 3 / (a * c ^ 2 + b * s ^ 2),
   c ^ 2 - b } do
-  tap.ok(cosine(ratio.tidy(e)) == e, "as it was: " .. require("generator.algebra.text").of(e))
+  tap.ok(cosine(ratio.tidy(e)) == e, "as it was: " .. require("generator.formula.text").of(e))
 end
 for _, e in ipairs { a - b * s ^ 2, a * s ^ 2 + b, 2 * a - a * s ^ 2, a - a * s } do
-  tap.ok(cosine(e) == e, "nothing to bring back: " .. require("generator.algebra.text").of(e))
+  tap.ok(cosine(e) == e, "nothing to bring back: " .. require("generator.formula.text").of(e))
 end
 
 -- Sums in squared sines of two angles: a term that is in two pairs goes into one of them.  The oracle is the value, at

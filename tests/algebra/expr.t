@@ -13,7 +13,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local recipe = require "tests.algebra.recipe"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 
 local x, y, z = expr.sym "x", expr.sym "y", expr.sym "z"
 local a, m = expr.sym("a", 2, true), expr.sym("m", 1, true) -- positive
@@ -237,7 +237,7 @@ end
 -- The same expression in two fresh processes, of which one makes its parts, and others, in another order.
 local SCRIPT = [[
 package.path, package.cpath = "./?.lua;" .. package.path, "build/lua/?.so;" .. package.cpath
-local expr, text = require "generator.algebra.expr", require "generator.algebra.text"
+local expr, text = require "generator.algebra.expr", require "generator.formula.text"
 local names = { "x", "y", "z", "a", "b" }
 local first, last, step = 1, #names, 1
 if PREPARE then

@@ -15,7 +15,7 @@ local gcd = require "generator.algebra.gcd"
 local nest = require "generator.algebra.nest"
 local poly = require "generator.algebra.poly"
 local ratio = require "generator.algebra.ratio"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local random = require "tests.ir.random"
 local recipe = require "tests.algebra.recipe"
 

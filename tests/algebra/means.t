@@ -15,7 +15,7 @@ local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local evaluate = require "generator.algebra.evaluate"
 local ratio = require "generator.algebra.ratio"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 
 local function q(s) return R.lift(s) end
 
@@ -131,7 +131,7 @@ for n, name in ipairs(names) do
   tap.ok(mirrored == (name == "catenary_rise" and -e or e), name .. ": even, or odd")
   if name ~= "arc_lever" and name ~= "catenary_rise" then tap.ok(expr.nonnegative(e), name .. " is a variance") end
   tap.is(text.of(e), name .. "(h)", "plain text")
-  tap.is(text.of(e, "latex"), "\\operatorname{" .. string.gsub(name, "_", "\\_") .. "}\\left(h\\right)", "LaTeX")
+  tap.is(text.of(e, "latex"), "\\operatorname{" .. string.gsub(name, "_", "\\_") .. "}\\left( h \\right)", "LaTeX")
   tap.near(evaluate.double(e, { h = 1 }), tonumber(published[6 + n][3]), 0x1p-52, 0, "in doubles", "one rounding")
   -- central difference of step 2^-100: its error is 2^-200 and 2^-300 from 400 bits
   local d, at = R.new(2) ^ -100, q "0.7"

@@ -9,7 +9,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local poly = require "generator.algebra.poly"
 local evaluate = require "generator.algebra.evaluate"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local roots = require "generator.algebra.roots"
 local recipe = require "tests.algebra.recipe"
 

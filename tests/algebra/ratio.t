@@ -11,7 +11,7 @@ local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local poly = require "generator.algebra.poly"
 local ratio = require "generator.algebra.ratio"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local vec = require "generator.algebra.vec"
 local recipe = require "tests.algebra.recipe"
 

@@ -113,8 +113,8 @@ function tokens.latex(s)
 end
 
 -- Letters and signs of MathML that are written otherwise in text.
-local LETTERS = { ["\u{2062}"] = "*", ["−"] = "-", ["ω"] = "omega", ["α"] = "alpha", ["β"] = "beta", ["γ"] = "gamma",
-  ["θ"] = "theta", ["φ"] = "phi", ["ρ"] = "rho", ["λ"] = "lambda", ["μ"] = "mu" }
+local LETTERS = { ["\u{2062}"] = "*", ["\u{2061}"] = "", ["−"] = "-", ["ω"] = "omega",
+  ["α"] = "alpha", ["β"] = "beta", ["γ"] = "gamma", ["θ"] = "theta", ["φ"] = "phi", ["ρ"] = "rho", ["λ"] = "lambda", ["μ"] = "mu" }
 
 -- The children of an element from `at` on as texts, and where its end is.
 local function elements(s, at)
@@ -135,11 +135,14 @@ local function elements(s, at)
     if tag == "mfrac" then
       first = "((" .. first .. ")/(" .. second .. "))"
     elseif tag == "msup" then
-      first = first .. "^(" .. second .. ")"
+      first = (string.find(first, "^ %l+ $") and first or "(" .. first .. ")") .. "^(" .. second .. ")"
     elseif tag == "msub" then
       first = " " .. string.gsub(first .. "_" .. second, " ", "") .. " "
     elseif tag == "msqrt" then
       first = "sqrt(" .. table.concat(inner) .. ")"
+    elseif first == "|" then
+      first = list.open and " ) " or " abs( "
+      list.open = not list.open
     elseif tag == "mi" or tag == "mn" or tag == "mo" then
       first = " " .. (LETTERS[first] or first) .. " "
     elseif tag == "mrow" or tag == "mspace" then
@@ -185,12 +188,19 @@ local function parse(list, env, A, source)
     if env[name] ~= nil then return env[name] end
     if name == "pi" then return A.pi end
     if not FUNCTIONS[name] then fail("no value of " .. name) end
+    local raised -- sin^2 (x)
+    if sign "^" and list[at + 1] and list[at + 1][2] == "(" then
+      at = at + 2
+      raised = sum()
+      close()
+    end
     if name == "sqrt" and not sign "(" then return A.call("sqrt", atom()) end -- √3 r
     if not take "(" then fail("no argument of " .. name) end
     local args = { sum() }
     while take "," do args[#args + 1] = sum() end
     close()
-    return A.call(name, table.unpack(args))
+    local v = A.call(name, table.unpack(args))
+    return raised and A.power(v, raised) or v
   end
   function power()
     local base = atom()

@@ -15,7 +15,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local evaluate = require "generator.algebra.evaluate"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 
 local function q(s) return R.lift(s) end
 
@@ -98,7 +98,7 @@ tap.ok(expr.call("ellipsoid_area", a, a, a) == a ^ 2, "the area of a sphere is e
 tap.ok(expr.call("ellipsoid_second", a, a, a) == a ^ 4 / 3, "so is its second moment")
 tap.ok(expr.nonnegative(area) and expr.nonnegative(normal), "both are known to be positive")
 tap.is(text.of(area), "ellipsoid_area(a, b, c)", "plain text")
-tap.is(text.of(normal, "latex"), "\\operatorname{ellipsoid\\_normal}\\left(a, b, c\\right)", "LaTeX")
+tap.is(text.of(normal, "latex"), "\\operatorname{ellipsoid\\_normal}\\left( a, b, c \\right)", "LaTeX")
 
 -- second moment: mpmath's quadrature of a^3 b c n_a^2 sqrt(Q) over the sphere, 25 digits
 local env = { a = q "3", b = q "1", c = q "2" }

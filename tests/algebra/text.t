@@ -10,8 +10,7 @@ local tap = require "tests.tap"
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
-local text = require "generator.algebra.text"
-local mathml = require "generator.page.mathml"
+local text = require "generator.formula.text"
 local recipe = require "tests.algebra.recipe"
 local reader = require "tests.algebra.reader"
 
@@ -26,7 +25,7 @@ local function read(s, env, style) return reader.value(s, env, A, style) end
 tap.is(tostring(read("1 + 2*3^2/6 - 2 3", {})), "-2", "the reader knows precedence")
 tap.is(tostring(read("-x^2/(2*x)", { x = R.new(3) })), "-3/2", "the reader takes ^ before the sign")
 tap.is(tostring(read("x² y⁻¹ (x - 1)/3 y", { x = R.new(3), y = R.new(5) })), "6", "it reads raised digits")
-tap.is(tostring(read("-\\frac{2 x_{1}}{3} \\left(x_{1} - \\frac{1}{2}\\right)^{2}", { x_1 = R.new(2) }, "latex")), "-3",
+tap.is(tostring(read("- \\frac{2 x_{1}}{3} \\left( x_{1} - \\frac{1}{2} \\right)^{2}", { x_1 = R.new(2) }, "latex")), "-3",
   "it reads LaTeX")
 for _, wrong in ipairs { "1 +", "1 - -1", "(1", "1)", "x", "sin 1", "" } do
   tap.ok(not pcall(read, wrong, {}), "it refuses: " .. wrong)
@@ -47,11 +46,10 @@ for _, family in ipairs {
     local at = recipe.point()
     local want = family.exact and evaluate.exact(e, at) or evaluate.precise(e, at, recipe.bits)
     local texts = { { text.of(e, "plain"), "text" }, { text.of(e, "unicode"), "text" },
-      { text.of(e, "latex"), "latex" }, { mathml.of(e) or "<mn>0</mn>", "mathml" } }
+      { text.of(e, "latex"), "latex" }, { text.of(e, "mathml"), "mathml" } }
     for _, t in ipairs(texts) do
       local s = t[1]
       local ok, got = pcall(read, s, at, t[2])
-      if t[2] == "mathml" and not mathml.of(e) then got = want end -- too long for the page, which says so
       -- both roads keep 300 bits; 200 is below what a few hundred operations can lose
       if ok and (family.exact and got == want or not family.exact and recipe.close(got, want, 200)) then
         fine = fine + 1
@@ -67,35 +65,35 @@ end
 
 local m, a, b, c = expr.sym("M", 1), expr.sym("a", 2), expr.sym("b", 2), expr.sym("c", 2)
 local samples = {
-  { m * (b ^ 2 + c ^ 2) / 12, "M*(b^2 + c^2)/12", "M (b² + c²)/12", "\\frac{M \\left(b^{2} + c^{2}\\right)}{12}" },
-  { -m * a * b / 4, "-M*a*b/4", "-M a b/4", "-\\frac{M a b}{4}" },
+  { m * (b ^ 2 + c ^ 2) / 12, "M*(b^2 + c^2)/12", "M (b² + c²)/12", "\\frac{M \\left( b^{2} + c^{2} \\right)}{12}" },
+  { -m * a * b / 4, "-M*a*b/4", "-M a b/4", "- \\frac{M a b}{4}" },
   { (c ^ 2 - b ^ 2) / (b ^ 2 + c ^ 2), "(c^2 - b^2)/(b^2 + c^2)", "(c² - b²)/(b² + c²)",
-    "\\frac{\\left(c^{2} - b^{2}\\right)}{\\left(b^{2} + c^{2}\\right)}" },
+    "\\frac{c^{2} - b^{2}}{b^{2} + c^{2}}" },
   { x / (y * z), "x/(y*z)", "x/(y z)", "\\frac{x}{y z}" },
   { 2 * x / 3, "2*x/3", "2 x/3", "\\frac{2 x}{3}" },
   { 1 / x, "1/x", "1/x", "\\frac{1}{x}" },
   { x ^ -2, "1/x^2", "1/x²", "\\frac{1}{x^{2}}" },
-  { expr.lift "-3/7", "-3/7", "-3/7", "-\\frac{3}{7}" },
+  { expr.lift "-3/7", "-3/7", "-3/7", "- \\frac{3}{7}" },
   { expr.zero, "0", "0", "0" },
   { sqrt(2) / 2, "sqrt(2)/2", "√(2)/2", "\\frac{\\sqrt{2}}{2}" },
   { sqrt(x + y), "sqrt(x + y)", "√(x + y)", "\\sqrt{x + y}" },
   { 1 / sqrt(x), "1/sqrt(x)", "1/√(x)", "\\frac{1}{\\sqrt{x}}" },
   { expr.pow(x, "1/3"), "x^(1/3)", "x^(1/3)", "x^{1/3}" },
-  { (x + y) ^ 3, "(x + y)^3", "(x + y)³", "\\left(x + y\\right)^{3}" },
+  { (x + y) ^ 3, "(x + y)^3", "(x + y)³", "\\left( x + y \\right)^{3}" },
   { expr.pi * x ^ 12 / 2, "x^12*pi/2", "x¹² π/2", "\\frac{x^{12} \\pi}{2}" },
-  { call("sin", 2 * x) * y, "y*sin(2*x)", "y sin(2 x)", "y \\sin\\left(2 x\\right)" },
-  { call("atan2", y, x), "atan2(y, x)", "atan2(y, x)", "\\operatorname{atan2}\\left(y, x\\right)" },
-  { call("asin", x), "asin(x)", "asin(x)", "\\arcsin\\left(x\\right)" },
-  { call("sign", x - y), "sign(x - y)", "sign(x - y)", "\\operatorname{sign}\\left(x - y\\right)" },
-  { call("side", x), "sign(x)", "sign(x)", "\\operatorname{sign}\\left(x\\right)" },
-  { call("min", y, x), "min(x, y)", "min(x, y)", "\\min\\left(x, y\\right)" },
-  { call("abs", x - y), "abs(x - y)", "abs(x - y)", "\\left|x - y\\right|" },
-  { x - y, "x - y", "x - y", "x - y" }, { -x - y, "-(x + y)", "-(x + y)", "-\\left(x + y\\right)" },
+  { call("sin", 2 * x) * y, "y*sin(2*x)", "y sin(2 x)", "y \\sin\\left( 2 x \\right)" },
+  { call("atan2", y, x), "atan2(y, x)", "atan2(y, x)", "\\operatorname{atan2}\\left( y, x \\right)" },
+  { call("asin", x), "asin(x)", "asin(x)", "\\arcsin\\left( x \\right)" },
+  { call("sign", x - y), "sign(x - y)", "sign(x - y)", "\\operatorname{sign}\\left( x - y \\right)" },
+  { call("side", x), "sign(x)", "sign(x)", "\\operatorname{sign}\\left( x \\right)" },
+  { call("min", y, x), "min(x, y)", "min(x, y)", "\\min\\left( x, y \\right)" },
+  { call("abs", x - y), "abs(x - y)", "abs(x - y)", "\\left| x - y \\right|" },
+  { x - y, "x - y", "x - y", "x - y" }, { -x - y, "-(x + y)", "-(x + y)", "- \\left( x + y \\right)" },
   { y - x, "y - x", "y - x", "y - x" },
   { z * (1 - x) - y, "z*(1 - x) - y" }, { y - z * (1 - x), "y + z*(x - 1)" },
   { -2 * x * (y - z * (1 - x)), "2*x*(z*(1 - x) - y)" },
-  { expr.sym "omega_1", "omega_1", "omega_1", "\\omega_{1}" }, { expr.sym "head", "head", "head", "\\mathrm{head}" },
-  { expr.sym "a_b_c", "a_b_c", "a_b_c", "\\mathrm{a\\_b\\_c}" }, { expr.sym "m1", "m1", "m1", "m_{1}" },
+  { expr.sym "omega_1", "omega_1", "omega_1", "\\omega_{1}" }, { expr.sym "head", "head", "head", "\\mathit{head}" },
+  { expr.sym "a_b_c", "a_b_c", "a_b_c", "a_{b,c}" }, { expr.sym "m1", "m1", "m1", "m_{1}" },
   { expr.sym "rho", "rho", "rho", "\\rho" },
 }
 for _, s in ipairs(samples) do
@@ -136,8 +134,8 @@ do
     { R.new(2) ^ 100, "1267650600228229401496703205376 x" } } do
     tap.is(text.of(expr.lift(row[1]) * x, "unicode"), row[2], "a factor: " .. row[2])
   end
-  tap.is(text.of(expr.lift(R.lift(10) ^ 40) * x, "latex"), "1\\cdot 10^{40} x", "in LaTeX")
-  tap.is(text.of(expr.lift(R.one / R.lift(10) ^ 40) * x, "latex"), "1\\cdot 10^{-40} x", "and a small one")
+  tap.is(text.of(expr.lift(R.lift(10) ^ 40) * x, "latex"), "10^{40} x", "in LaTeX")
+  tap.is(text.of(expr.lift(R.one / R.lift(10) ^ 40) * x, "latex"), "10^{- 40} x", "and a small one")
   tap.is(#text.of(expr.lift(R.lift(10) ^ 400) * x), 401 + 2, "10^400 is exact")
 end
 

@@ -13,7 +13,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local ratio = require "generator.algebra.ratio"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local recipe = require "tests.algebra.recipe"
 
 local function q(x) return expr.lift(x) end

@@ -37,7 +37,7 @@ for _, case in ipairs {
   local factor = units.parse(case[1])
   if case[2] then
     tap.ok(factor and factor == expr.lift(case[2]), "'" .. case[1] .. "' is exactly " .. case[2],
-      factor and require("generator.algebra.text").of(factor))
+      factor and require("generator.formula.text").of(factor))
   else
     tap.ok(factor == nil, "'" .. case[1] .. "' is no unit")
   end

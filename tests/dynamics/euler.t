@@ -19,7 +19,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local calculus = require "generator.algebra.calculus"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local context = require "generator.dynamics.context"
 
 local function symbols(list)

@@ -14,7 +14,7 @@ local scene = require "tests.scene"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local calculus = require "generator.algebra.calculus"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local frames = require "generator.dynamics.frames"
 local quantities = require "generator.dynamics.quantities"
 

@@ -14,7 +14,7 @@ local scene = require "tests.scene"
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 
 local function lift(v)
   local out = {}

@@ -18,7 +18,7 @@ local scene = require "tests.scene"
 local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local handbook = require "tests.handbook"
 local catalogue = require "generator.mass.catalogue"
 

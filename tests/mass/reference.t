@@ -17,7 +17,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local evaluate = require "generator.algebra.evaluate"
 local ratio = require "generator.algebra.ratio"
-local text = require "generator.algebra.text"
+local text = require "generator.formula.text"
 local rows = require "tests.reference.inertia"
 local exact = require "tests.reference.exact"
 

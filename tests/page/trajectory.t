@@ -11,9 +11,10 @@ local tap = require "tests.tap"
 local tier = require "tests.tier"
 local json = require "tests.json"
 local program = require "tests.cli.program"
-local expr = require "generator.algebra.expr"
-local formulas = require "generator.page.formulas"
-local mathml = require "generator.page.mathml"
+local panel = require "generator.report.handout.panel"
+local driver = require "generator.driver"
+local facts = require "generator.report.facts"
+local scene = require "tests.scene"
 
 local dir = program.directory()
 local binary = os.getenv "POLHODE" or "build/polhode"
@@ -108,24 +109,21 @@ end
 
 -- ---- formulas ----
 
-local a, b = expr.sym("a", 2), expr.sym("rho_1", 1)
-local function plain(m) return (m:gsub("<mspace[^>]*>", ""):gsub("%b<>", ""):gsub("\u{2062}", "*")) end
-local function math_of(e) return (mathml.of(e):gsub("<mspace[^>]*>", "")) end
--- the algebra takes a common factor out, -(4 rho_1 - 3 a)/4, and the sum takes the minus in
-tap.is(plain(math_of(expr.lift(3) * a / 4 - b)), "3*a\u{2212}4*ρ14", "a sum with its signs and factors")
-local three = math_of(expr.lift(3) * a / 4)
-tap.ok(three:find "<mfrac><mrow><mn>3</mn>.*<mi>a</mi></mrow></mrow><mrow><mn>4</mn></mrow></mfrac>",
-  "a quotient has a bar", three)
-tap.ok(math_of(a ^ 2):find("<msup><mrow><mi>a</mi></mrow><mn>2</mn></msup>", 1, true), "a power", math_of(a ^ 2))
-tap.ok(not math_of((a + b) / 6):find("(", 1, true) and math_of(a * (a + b) / 6):find("(", 1, true),
-  "a sum alone above the bar has no brackets", math_of((a + b) / 6))
-local page = formulas.html({ a, a, b, expr.zero, expr.zero, expr.zero }, { plain = true,
-  acts = { { name = "drag", formula = "N = -c |w| w < 0 & so on" } } })
-for open, name in page:gmatch "<(/?)(m%a+)" do
-  tap.ok(open == "/" or page:find("</" .. name .. ">", 1, true) or page:find("<" .. name .. "[^>]*/>"),
+local function of(text)
+  local job = assert(scene.read(text))
+  return panel.html(facts.of(assert(driver.plan(job, {}))))
+end
+local oblique = of [[return scene { name = "oblique", body = solid.box { x = 0.1, y = 0.1, z = 0.1,
+  mass = param("rho", 1, "kg") }, origin = "corner", initial = { omega = {1, 2, 3} } }]]
+for open, name in oblique:gmatch "<(/?)(m%a+)" do
+  tap.ok(open == "/" or oblique:find("</" .. name .. ">", 1, true) or oblique:find("<" .. name .. "[^>]*/>"),
     name .. " is closed")
 end
-tap.ok(page:find("&lt; 0 &amp; so on", 1, true), "signs of HTML in a formula are written as such")
-local _, entries = page:gsub('data%-value="I', "")
-tap.is(entries, 3, "an entry that is always 0 has no value of its own")
+tap.ok(oblique:find("<mi>ρ</mi>", 1, true), "a parameter called rho is written as the letter")
+tap.ok(not oblique:find('data-value="kx"', 1, true), "axes that are no principal ones have no factor of wy wz")
+tap.is(select(2, oblique:gsub('data%-value="I', "")), 9, "all entries of its tensor have a number")
+local straight = of [[return scene { name = "straight", body = solid.box { x = 1, y = 2, z = 3, mass = param("m", 1, "kg")
+  }, effects = { effect.drag { c = 0.1 } }, initial = { omega = {1, 2, 3} } }]]
+tap.is(select(2, straight:gsub('data%-value="I', "")), 3, "an entry that is always 0 has no value of its own")
+tap.is(select(2, straight:gsub('data%-value="k', "")), 3, "and principal axes have the factors of the products")
 tap.done(program.finish())

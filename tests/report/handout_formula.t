@@ -12,10 +12,10 @@ local reader = require "tests.algebra.reader"
 local recipe = require "tests.algebra.recipe"
 local evaluate = require "generator.algebra.evaluate"
 local formula = require "generator.report.handout.formula"
-local html = require "generator.report.handout.html"
-local latex = require "generator.report.handout.latex"
-local setting = require "generator.report.handout.setting"
-local symbols = require "generator.report.handout.symbols"
+local latex = require "generator.formula.latex"
+local mathml = require "generator.formula.mathml"
+local setting = require "generator.formula.setting"
+local symbols = require "generator.formula.symbols"
 
 local A = reader.exact(recipe.bits)
 recipe.seed(55)
@@ -29,8 +29,8 @@ for _, family in ipairs {
     local at, w = recipe.point(), formula.new(symbols.new(recipe.names))
     local node, want = w:of(e), evaluate.exact(e, at)
     for i, c in ipairs(w.constants) do at["c_" .. i] = c.value end
-    for _, t in ipairs { { "latex", latex }, { "mathml", html } } do
-      local text = setting.of(t[2].style, node)
+    for _, t in ipairs { { "latex", latex }, { "mathml", mathml } } do
+      local text = setting.of(t[2], node)
       local ok, got = pcall(reader.value, text, at, A, t[1])
       local same = ok and got == want
       fine = same and fine + 1 or fine

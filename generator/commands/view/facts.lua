@@ -1,12 +1,10 @@
 -- facts.lua -- what a page is told of its scene: names, units, limits of sliders, and the formulas.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local context = require "generator.dynamics.context"
 local R = require "generator.algebra.rational"
 local motion = require "generator.algebra.motion"
 local vec = require "generator.algebra.vec"
 local touch = require "generator.commands.run.touch"
-local formulas = require "generator.page.formulas"
 
 local facts = {}
 
@@ -89,16 +87,6 @@ function facts.phases(air, plane, scene)
   table.insert(air.effects, "effect.translation")
   for _, text in ipairs(plane.checks) do table.insert(air.checks, text) end
   return air
-end
-
--- The tensor and Euler's equations of a scene, as HTML.
-function facts.formulas(scene)
-  local m, acts = scene.model, {}
-  for i, e in ipairs(m.record.effects) do
-    acts[i] = { name = string.gsub(e.kind, "^effect%.", ""), formula = context.formula(e) or "" }
-  end
-  local own = m.carried == m.inertia and m.locked == m.inertia and not m.structure.rod
-  return formulas.html(m.inertia, { plain = own and m.structure.kind ~= "full", acts = acts })
 end
 
 return facts

@@ -1,4 +1,4 @@
--- effects.lua -- what each effect adds to the equations, as formulas (notation of handout/math.lua).
+-- effects.lua -- what each effect adds to the equations, as formulas (notation of formula/read.lua).
 --
 -- N: its torque in body axes, F: its force; S turns body axes into inertial axes.  tests/report/handout.t wants an
 -- entry for every effect.
@@ -16,7 +16,7 @@ return {
   ["effect.gravity_gradient"] = { "~N = {3 mu|d^3} ~o x I ~o" },
   ["effect.inertia_rate"] = { "( I + D ) ~omega' = ~L x ~omega - D' ~omega + ~N", "~L = ( I + D ) ~omega" },
   ["effect.magnetic"] = { "~N = ~m x S^T ~B", "V = - ~m . S^T ~B" },
-  ["effect.pivot"] = { "~N = ~R x S^T ( - M ~a (t) )" },
+  ["effect.pivot"] = { "~N = ~R x S^T ( - M ~a(t) )" },
   ["effect.plane"] = { '~v + ~omega x ~r = ~U "rolling"', '~F = N_n ~n "smooth"', '~F = N_n ( ~n - c ~s ) "sliding"',
     "~s = ~v + ~omega x ~r - ~U", "~N = ~r x ~F" },
   ["effect.rotating_frame"] = {},
@@ -26,5 +26,5 @@ return {
   ["effect.spring"] = { "V = 2 ~u . K ~u", "~N = - 2 ( p_0 K ~u + ( K ~u ) x ~u )" },
   ["effect.torque"] = { '~N = ~b "or" ~N = S^T ~b' },
   ["effect.translation"] = { "M ~v' = M ~g - c | ~v | ~v - gamma ~v - kappa ~r + ~F + S ~f", "~r' = ~v" },
-  ["effect.wheel"] = { "J ( ~a . ~omega + W )' = u", "~N = J ( ~a . ~omega + W ) ~a x ~omega - u ~a" },
+  ["effect.wheel"] = { "J ( ~a . ~omega' + W' ) = u", "~N = J ( ~a . ~omega + W ) ~a x ~omega - u ~a" },
 }

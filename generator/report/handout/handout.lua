@@ -7,12 +7,11 @@
 local mass = require "generator.report.handout.mass"
 local motion = require "generator.report.handout.motion"
 local page = require "generator.report.handout.page"
-local symbols = require "generator.report.handout.symbols"
 
 local handout = {}
 
 handout.usual = { "tensor", "principal", "euler", "motion", "stability" }
-handout.sections = { "tensor", "principal", "euler", "motion", "stability", "costs" }
+handout.sections = { "tensor", "principal", "euler", "attitude", "motion", "stability", "costs" }
 handout.formats = { markdown = true, latex = true, html = true, typst = true }
 
 local writers = { tensor = mass.tensor, principal = mass.principal, euler = motion.euler, motion = motion.motion,
@@ -37,15 +36,14 @@ end
 
 -- costs: {{title =, lines = {text}}, ...}, printed where the section is asked for.
 function handout.text(f, format, sections, costs)
-  local names, asked = {}, {}
-  for i, q in ipairs(f.params) do names[i] = q.name end
-  for _, input in ipairs(f.job.model.inputs or {}) do names[#names + 1] = input.name end
+  local asked = {}
   for _, name in ipairs(sections or handout.usual) do asked[name] = true end
-  local s = symbols.new(names, f.mass.kind == "sym" and f.mass.name or nil)
-  local p = page.new(require("generator.report.handout." .. format), s, (string.gsub(f.name, "_", " ")))
+  local document = require("generator.report.handout." .. format)
+  local p = page.of(document, f)
+  p:put(document.title((string.gsub(f.name, "_", " "))))
   mass.given(p, f)
   for _, name in ipairs(handout.usual) do
-    if asked[name] then writers[name](p, f) end
+    if asked[name] then writers[name](p, f, asked) end
   end
   for _, c in ipairs(asked.costs and costs or {}) do
     p:heading(c.title)
@@ -55,7 +53,7 @@ function handout.text(f, format, sections, costs)
     if i == 1 then p:heading "Warnings" end
     p:words(w.text)
   end
-  return p:done()
+  return p:done() .. document.tail
 end
 
 return handout

@@ -1,54 +1,10 @@
 -- latex.lua -- formulas and documents in LaTeX: article and amsmath, nothing else.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local math_ = require "generator.report.handout.math"
-local setting = require "generator.report.handout.setting"
+local formulas = require "generator.formula.latex"
+local setting = require "generator.formula.setting"
 
-local latex = { style = {} }
-local style = latex.style
-
-local special = { ["\\"] = "\\textbackslash{}", ["^"] = "\\textasciicircum{}", ["~"] = "\\textasciitilde{}",
-  ["<"] = "\\textless{}", [">"] = "\\textgreater{}", ["|"] = "\\textbar{}" }
-function latex.escape(s)
-  return (string.gsub(s, "[\\^~<>|_#%%&${}]", function(c) return special[c] or "\\" .. c end))
-end
-
-local operators = { cross = "\\times", dot = "\\cdot", approx = "\\approx", ne = "\\neq", thin = "\\,", quad = "\\quad",
-  times = "\\times" }
-local functions = { asin = "\\arcsin", acos = "\\arccos", atan = "\\arctan" }
-for word in string.gmatch("sin cos tan exp log sinh cosh tanh min max", "%a+") do functions[word] = "\\" .. word end
-
-function style.num(s) return s end
-function style.sym(base, sub, vector, dot)
-  local s = math_.greek[base] and "\\" .. base or #base > 1 and "\\mathit{" .. latex.escape(base) .. "}" or base
-  if vector then s = "\\vct{" .. s .. "}" end
-  local word = #base > 1 and not math_.greek[base]
-  if dot > 0 and not word then s = (dot > 1 and "\\ddot{" or "\\dot{") .. s .. "}" end
-  if dot > 0 and word then s = "\\frac{\\mathrm{d}}{\\mathrm{d}t} \\, " .. s end
-  if not sub then return s end
-  return s .. "_{" .. (string.find(sub, "%a%a%a") and "\\mathrm{" .. sub .. "}" or sub) .. "}"
-end
-function style.op(name) return operators[name] or name end
-function style.word(s) return "\\text{" .. latex.escape(s) .. "}" end
-function style.unit(s) return "\\mathrm{" .. string.gsub(string.gsub(s, "%^(%-?%d+)", "^{%1}"), " ", "\\,") .. "}" end
-function style.row(list) return table.concat(list, " ") end
-function style.frac(a, b) return "\\frac{" .. a .. "}{" .. b .. "}" end
-function style.sqrt(a) return "\\sqrt{" .. a .. "}" end
-function style.pow(a, b) return a .. "^{" .. b .. "}" end
-function style.par(a) return "\\left( " .. a .. " \\right)" end
-function style.abs(a) return "\\left| " .. a .. " \\right|" end
-function style.call(name, args)
-  return (functions[name] or "\\operatorname{" .. latex.escape(name) .. "}") .. "\\left( " ..
-    table.concat(args, ", ") .. " \\right)"
-end
-function style.matrix(rows)
-  local lines = {}
-  for i, r in ipairs(rows) do lines[i] = table.concat(r, " & ") end
-  return "\\begin{pmatrix} " .. table.concat(lines, " \\\\[1ex] ") .. " \\end{pmatrix}"
-end
-function style.integral(low, high)
-  return "\\int" .. (low and "_{" .. low .. "}" or "") .. (high and "^{" .. high .. "}" or "")
-end
+local latex = { style = formulas, escape = formulas.escape }
 
 local head = [[
 \documentclass[11pt,a4paper]{article}
@@ -62,7 +18,7 @@ local head = [[
 \begin{document}
 ]]
 
-function latex.inline(n) return "$" .. setting.of(style, n) .. "$" end
+function latex.inline(n) return "$" .. setting.of(formulas, n) .. "$" end
 
 -- Lines {left, right}: one under the other, at their signs.
 function latex.display(lines)

@@ -1,13 +1,13 @@
 -- markdown.lua -- the hand-out in Markdown, formulas between dollar signs as KaTeX and MathJax read them.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local latex = require "generator.report.handout.latex"
-local setting = require "generator.report.handout.setting"
+local latex = require "generator.formula.latex"
+local setting = require "generator.formula.setting"
 
-local markdown = { style = setmetatable({}, { __index = latex.style }) }
+local markdown = { style = setmetatable({}, { __index = latex }) }
 
 function markdown.style.sym(...) -- \vct is a macro of the LaTeX document
-  return (string.gsub(latex.style.sym(...), "\\vct", "\\boldsymbol"))
+  return (string.gsub(latex.sym(...), "\\vct", "\\boldsymbol"))
 end
 
 function markdown.inline(n) return "$" .. setting.of(markdown.style, n) .. "$" end

@@ -5,20 +5,23 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
-local math_ = require "generator.report.handout.math"
+local expression = require "generator.formula.expression"
+local tree = require "generator.formula.tree"
 local formula = require "generator.report.handout.formula"
 local integrals = require "generator.report.handout.integrals"
+local order = require "generator.report.order"
 
 local mass = {}
 
 local axes = { "x", "y", "z" }
-local entry = { { 1, 4, 5 }, { 4, 2, 6 }, { 5, 6, 3 } } -- of {xx, yy, zz, xy, xz, yz}
+local MASS = expr.sym("the mass", 1) -- of a body whose mass is no parameter
+mass.entry = { { 1, 4, 5 }, { 4, 2, 6 }, { 5, 6, 3 } } -- of {xx, yy, zz, xy, xz, yz}
 
 function mass.given(p, f)
   local lines = {}
   for _, q in ipairs(f.params) do
-    lines[#lines + 1] = { left = p.symbols:of(q.name), math_.op "=",
-      math_.number(f.job.model:double(q.sym), 12, q.unit) }
+    lines[#lines + 1] = { left = p.symbols:of(q.name), tree.op "=",
+      tree.number(f.job.model:double(q.sym), 12, q.unit) }
   end
   p:heading "Given"
   if #lines == 0 then p:words "The scene has no parameters: every number is an exact constant." end
@@ -31,38 +34,73 @@ function mass.given(p, f)
       "angular velocity, and its components are in axes of the body. A dot is the derivative by time, and $S$ turns " ..
       "body axes into inertial axes.")
   end
-  for _, s in ipairs(p.symbols.said) do
-    p:put(p.format.paragraph { p.format.words "The scene calls a quantity ", p:node(p.symbols:of(s.name)),
-      p.format.words("; " .. s.what .. (string.find(s.what, "moments$") and " are" or " is") .. " therefore written "),
-      p:node(math_.sym(s.letter)), p.format.words "." })
-  end
+  p:reserve(mass.said) -- at the end all symbols are known
 end
 
--- c and six entries with e = c times entry: the mass, and the numbers that all have.
+-- What is not written with its usual letter, and why.
+function mass.said(p)
+  local out = {}
+  for i, c in ipairs(p.symbols:said()) do
+    local function words(s) return p.format.words(s) end
+    out[i] = p.format.paragraph(c.name and { words "The scene calls a quantity ", p:node(p.symbols:of(c.name)),
+      words("; " .. c.meaning .. " is therefore written "), p:node(c.node), words "." } or
+      { words((string.gsub(c.meaning, "^%l", string.upper)) .. " is written "), p:node(c.node), words "." })
+  end
+  return table.concat(out, "\n")
+end
+
+-- The powers of symbols in a product, and its coefficient; nil for a sum.
+local function powers(e)
+  local c, rest = expr.split(e)
+  local list = {}
+  for _, u in ipairs(rest == expr.one and {} or rest.kind == "mul" and rest or { rest }) do
+    local base, n = u, R.one
+    if u.kind == "pow" then base, n = u.base, u.exp end
+    if base.kind == "sym" then list[base] = n end
+  end
+  return list, c
+end
+
+-- c and six entries with e = c times entry: the mass, the powers that all entries have, and a denominator of all.
 local function common(f, I)
   local m = f.mass
-  if m.kind ~= "sym" then return nil end
-  local out, least = {}, R.one
+  if m.kind == "num" then return nil end
+  local out, shared, list, bottom, before, after = {}, nil, {}, nil, 0, 0
   for n, e in ipairs(I) do
     out[n] = e == expr.zero and e or ratio.tidy(e / m)
+    before, after = before + expression.size(e, 500), after + expression.size(out[n], 500)
     for _, s in ipairs(expr.symbols(out[n])) do
       if s == m then return nil end
     end
     if e ~= expr.zero then
-      local d = R.den((expr.split(out[n])))
-      local a, b = least, d
-      while R.sign(b) ~= 0 do a, b = b, a - b * R.floor(a / b) end
-      least = least * d / a
+      local own, c = powers(out[n])
+      if not shared then
+        shared, bottom = own, R.den(c)
+        for _, s in ipairs(expr.symbols(out[n])) do
+          if own[s] then list[#list + 1] = s end
+        end
+      end
+      if R.den(c) ~= bottom then bottom = R.one end
+      for _, s in ipairs(list) do -- the least power that all have
+        if shared[s] and not own[s] then shared[s] = nil end
+        if shared[s] and own[s] < shared[s] then shared[s] = own[s] end
+      end
     end
   end
-  if #tostring(least) > 4 then return nil end
-  for n, e in ipairs(out) do out[n] = ratio.tidy(expr.num(least) * e) end
-  return m / expr.num(least), out
+  if not shared or after >= before then return nil end
+  local c = expr.one / expr.num(bottom)
+  for _, s in ipairs(list) do
+    if shared[s] then c = c * expr.pow(s, shared[s]) end
+  end
+  for n, e in ipairs(out) do out[n] = ratio.tidy(e / c) end
+  return c * (m.kind == "sym" and m or MASS), out
 end
 
--- The matrix if it fits into a line, else entry by entry; and its numbers.
-local function tensor(p, f, left, I, numbers)
+-- The lines of a tensor I: the matrix if it fits into a line, else entry by entry; none where only numbers stand in it.
+-- about: ",c" for that about the centre of mass.
+function mass.matrix(p, f, about, I)
   local w, rows = p.writer, {}
+  local left = p.symbols:own("I", about and "c")
   local c, inner = common(f, I)
   local shown, fits, symbolic = inner or I, true, false
   for _, e in ipairs(I) do symbolic = symbolic or #expr.symbols(e) > 0 end
@@ -70,41 +108,44 @@ local function tensor(p, f, left, I, numbers)
   if fits then
     for i = 1, 3 do
       rows[i] = {}
-      for k = 1, 3 do rows[i][k] = w:of(shown[entry[i][k]]) end
+      for k = 1, 3 do rows[i][k] = w:of(shown[mass.entry[i][k]]) end
     end
   end
-  local matrix = fits and math_.matrix(rows)
+  local matrix = fits and tree.matrix(rows)
   local lines = {}
-  if symbolic and fits and math_.width(matrix) + (c and 6 or 0) + 4 <= formula.widest then
-    lines[1] = { left = left, math_.op "=", matrix }
+  if symbolic and fits and tree.width(matrix) + (c and 6 or 0) + 4 <= formula.widest then
+    lines[1] = { left = left, tree.op "=", matrix }
     if c then table.insert(lines[1], 2, w:of(c)) end
   elseif symbolic then -- without parameters the numbers, below, say all
     for n, e in ipairs(I) do
-      local name = math_.sym(left[1], vec.entry[n])
-      if left.sub then name = math_.sym(left[1], vec.entry[n] .. "," .. left.sub) end
-      if e ~= expr.zero then p:line(lines, name, e) end
+      if e ~= expr.zero then p:line(lines, p.symbols:own("I", vec.entry[n] .. (about or "")), e) end
     end
   end
-  local values = {}
+  return lines
+end
+
+local function tensor(p, f, about, I, numbers)
+  local lines, values = mass.matrix(p, f, about, I), {}
   for i = 1, 3 do
     values[i] = {}
-    for k = 1, 3 do values[i][k] = math_.number(numbers[entry[i][k]], 5) end
+    for k = 1, 3 do values[i][k] = tree.number(numbers[mass.entry[i][k]], 5) end
   end
-  lines[#lines + 1] = { left = left, math_.op "approx", math_.matrix(values),
-    { kind = "unit", "kg m^2" } }
+  lines[#lines + 1] = { left = p.symbols:own("I", about and "c"), tree.op "approx", { kind = "quantity",
+    tree.matrix(values),
+    { kind = "unit", "kg m^2" } } }
   p:display(lines)
 end
 
 local function vector(p, name, v, numbers)
   local lines = {}
-  for i = 1, 3 do p:line(lines, math_.sym(name, axes[i]), v[i], v[i].kind ~= "num" and numbers[i] or nil, "m") end
+  for i = 1, 3 do p:line(lines, p.symbols:own(name, axes[i]), v[i], v[i].kind ~= "num" and numbers[i] or nil, "m") end
   p:display(lines)
 end
 
 -- Where the formula of a shape comes from.
 local function origin(p, f)
   p:text("Each entry of the tensor is an integral over the mass, here with $~x$ from the origin of the axes:")
-  p:equations { "I_jk = int ( ~x . ~x delta_jk - x_j x_k ) dm" }
+  p:equations { "I_jk = int ( ( ~x . ~x ) delta_jk - x_j x_k ) dM" }
   local seen = {}
   for _, piece in ipairs(f.job.model.body.pieces) do
     local known = integrals[piece.name]
@@ -119,13 +160,13 @@ end
 function mass.tensor(p, f)
   local s, lines = p.symbols, {}
   p:heading "Mass and tensor of inertia"
-  if f.mass.kind ~= "sym" then p:line(lines, s.mass, f.mass, f.mass_number, "kg") end
+  if f.mass.kind ~= "sym" then p:line(lines, s:own "M", f.mass, f.mass_number, "kg") end
   p:display(lines)
   if f.is_central then
     p:words "The origin of rotation is the centre of mass."
   else
     p:words "The centre of mass, seen from the origin of rotation:"
-    vector(p, s.letter.arm, f.arm, f.arm_number)
+    vector(p, "R", f.arm, f.arm_number)
   end
   if not f.job.model.has.rates then
     p:words "The body does not turn in this scene, so its tensor does not enter."
@@ -133,15 +174,15 @@ function mass.tensor(p, f)
   end
   origin(p, f)
   p:words(f.is_central and "The tensor about the centre of mass is" or "The tensor about the origin of rotation is")
-  tensor(p, f, math_.sym(s.letter.tensor), f.inertia, f.inertia_number)
+  tensor(p, f, nil, f.inertia, f.inertia_number)
   if not f.is_central then
     p:text("and about the centre of mass, from which it is moved by Huygens and Steiner,")
-    tensor(p, f, math_.sym(s.letter.tensor, "c"), f.centroidal, f.centroidal_number)
-    p:equations { "I = I_c + M ( ~R . ~R 1 - ~R ~R^T )" }
+    tensor(p, f, ",c", f.centroidal, f.centroidal_number)
+    p:equations { "I = I_c + M ( ( ~R . ~R ) 1 - ~R ~R^T )" }
   end
   p:where()
   p:text "Kinetic energy of the rotation and angular momentum:"
-  p:equations { "T = {1|2} ~omega . I ~omega", "~L = I ~omega" }
+  p:equations { "T = {1|2} ( ~omega . I ~omega )", "~L = I ~omega" }
   lines = {}
   local w = vec.map({ 1, 2, 3 }, function(i) return expr.sym("w" .. axes[i], 7) end)
   local named = vec.map(f.inertia, function(e, n) return e == expr.zero and e or expr.sym("I" .. vec.entry[n], 3) end)
@@ -149,23 +190,17 @@ function mass.tensor(p, f)
   local T = expr.zero
   for i = 1, 3 do T = T + named[i] * w[i] ^ 2 / 2 end
   T = T + named[4] * w[1] * w[2] + named[5] * w[1] * w[3] + named[6] * w[2] * w[3]
-  p:line(lines, math_.sym(s.letter.kinetic), T)
-  for i = 1, 3 do p:line(lines, math_.sym(s.letter.momentum, axes[i]), L[i]) end
+  p:line(lines, s:own "T", T)
+  for i = 1, 3 do p:line(lines, s:own("L", axes[i]), L[i]) end
   p:display(lines)
 end
 
 local function sentence(s) return (string.gsub(s, "^%l", string.upper)) .. "." end
 
--- The principal axes 1, 2, 3 of the hand-out by their places in f.moments, which ascend: 3 is an axis of symmetry.
-function mass.order(f)
-  if f.structure.kind == "symmetric" and f.moments[1] ~= f.moments[2] then return { 2, 3, 1 } end
-  return { 1, 2, 3 }
-end
-
 -- The name of a moment in closed form: that of the nearest numbers, "A_1 = A_2" for one that is there twice.
 local function moments(s, f, n)
   local list, own = {}, {}
-  for i, k in ipairs(mass.order(f)) do list[i] = { index = i, number = f.moments[k] } end
+  for i, k in ipairs(order.of(f)) do list[i] = { index = i, number = f.moments[k] } end
   for j = 1, n do -- each takes its own, so that two never share one
     local q = f.closed_moments[j]
     local x = f.job.model:double(q.moment)
@@ -179,8 +214,8 @@ local function moments(s, f, n)
   table.sort(own)
   local node = { kind = "row" }
   for i, index in ipairs(own) do
-    if i > 1 then node[#node + 1] = math_.op "=" end
-    node[#node + 1] = s:own("moment", tostring(index))
+    if i > 1 then node[#node + 1] = tree.op "=" end
+    node[#node + 1] = s:own("I", tostring(index))
   end
   return node
 end
@@ -204,9 +239,9 @@ function mass.principal(p, f)
         fits = fits and formula.fits(e)
         nodes[i] = fits and { p.writer:of(e) }
       end
-      local column = fits and math_.matrix(nodes)
-      if fits and math_.width(column) < formula.widest - 10 then
-        lines[#lines + 1] = { math_.word "about the axis ", column }
+      local column = fits and tree.matrix(nodes)
+      if fits and tree.width(column) < formula.widest - 10 then
+        lines[#lines + 1] = { tree.word "about the axis ", column }
       end
     end
     p:display(lines)
@@ -215,12 +250,12 @@ function mass.principal(p, f)
   p:words(#exact > 0 and "In numbers, with unit vectors along the axes:" or
     "There is no simple closed form; in numbers, with unit vectors along the axes:")
   lines = {}
-  for n, k in ipairs(mass.order(f)) do
+  for n, k in ipairs(order.of(f)) do
     local c = {}
-    for i = 1, 3 do c[i] = math_.number(f.axes[k][i], 5) end
-    lines[n] = { left = s:own("moment", tostring(n)), math_.op "approx", math_.number(f.moments[k], 5, "kg m^2"),
-      math_.op ",", math_.op "quad", math_.sym("e", tostring(n), { vector = true }), math_.op "approx",
-      math_.par(math_.row(c[1], math_.op ",", c[2], math_.op ",", c[3])) }
+    for i = 1, 3 do c[i] = tree.number(f.axes[k][i], 5) end
+    lines[n] = { left = s:own("I", tostring(n)), tree.op "approx", tree.number(f.moments[k], 5, "kg m^2"),
+      tree.op ",", tree.op "quad", s:own("e", tostring(n), { vector = true }), tree.op "approx",
+      { kind = "tuple", c[1], c[2], c[3] } }
   end
   p:display(lines)
   p:words "In these axes the tensor is diagonal, and"

@@ -3,10 +3,11 @@
 
 local expr = require "generator.algebra.expr"
 local vec = require "generator.algebra.vec"
+local read = require "generator.formula.read"
+local tree = require "generator.formula.tree"
 local effects = require "generator.report.handout.effects"
-local mass = require "generator.report.handout.mass"
-local math_ = require "generator.report.handout.math"
-local notation = require "generator.report.handout.values"
+local closed = require "generator.report.handout.closed"
+local order = require "generator.report.order"
 local values = require "generator.report.values"
 
 local motion = {}
@@ -34,7 +35,7 @@ local function frame(p, f, e)
   local lines = {}
   local function put(name, u)
     for i = 1, 3 do
-      if u[i] ~= expr.zero then p:line(lines, math_.sym("F", name .. "," .. axes[i]), -f.mass * u[i]) end
+      if u[i] ~= expr.zero then p:line(lines, p.symbols:own("F", name .. "," .. axes[i]), -f.mass * u[i]) end
     end
   end
   put("Coriolis", vec.map(vec.cross(rate, v), function(x) return two * x end))
@@ -44,7 +45,7 @@ local function frame(p, f, e)
   if not e.a.centrifugal then p:words "The scene leaves the centrifugal force out." end
 end
 
-local function effect(p, f, e)
+function motion.effect(p, f, e)
   local name = string.gsub(e.kind, "^effect%.", "")
   p:words("Effect " .. string.gsub(name, "_", " ") .. ": " .. e.spec.about .. ".")
   if name == "rotating_frame" then return frame(p, f, e) end
@@ -66,13 +67,12 @@ local function constants(p, f)
       end
     end
   end
-  local n, inverse = 0, false
+  local inverse = false
   for _, member in ipairs(f.job.model.members) do
     if used[member.name] and member.name ~= "M" then
       inverse = inverse or string.find(member.name, "^J[xyz][xyz]$") ~= nil
       if not string.find(member.name, "^[IJRL][xyz]+$") and not p.symbols.of_name[member.name] then
-        n = n + 1
-        p.symbols.of_name[member.name] = p.symbols:of("k_" .. n)
+        p.symbols.of_name[member.name] = p.symbols:fresh "k"
       end
       if not (shown[member.e] and string.find(member.name, "^[IR][xyz]+$")) then
         p:line(lines, p.symbols:of(member.name), member.e, f.job.model:double(member.e))
@@ -88,55 +88,73 @@ local function rates(p, g)
   for _, d in ipairs(g.defs) do p:line(lines, p.symbols:of(d.name), d.expr) end
   for _, o in ipairs(g.outs) do
     local node = p.symbols:of(o.state)
-    p:line(lines, math_.sym(node[1], node.sub, { dot = 1 }), o.expr)
+    p:line(lines, tree.sym(node[1], node.sub, { dot = 1 }), o.expr)
   end
   return lines
 end
 
-function motion.euler(p, f)
-  local m = f.job.model
-  p:heading "Equations of motion"
-  if m.has.rates then
-    p:text "The torque changes the angular momentum, $~L' = ~N$ in inertial axes. Seen from the body:"
-    p:equations { "I ~omega' = ~N - ~omega x I ~omega" }
-    p:words "In principal axes these are Euler's equations:"
-    p:equations { "I_1 omega_1' = ( I_2 - I_3 ) omega_2 omega_3 + N_1",
-      "I_2 omega_2' = ( I_3 - I_1 ) omega_3 omega_1 + N_2", "I_3 omega_3' = ( I_1 - I_2 ) omega_1 omega_2 + N_3" }
-    p:text("A point $~r$ of the body has the acceleration $~omega' x ~r + ~omega x ( ~omega x ~r )$. The second " ..
-      "term is the centripetal acceleration; its negative is the centrifugal force per mass in axes of the body.")
-  end
-  for _, e in ipairs(f.job.record.effects) do effect(p, f, e) end
-  if #f.job.record.effects == 0 then p:text "No torque acts: $~N = 0$." end
-  p:words "For this body, component by component:"
+-- The equations of this body, component by component; attitude: with those of the attitude.
+function motion.components(p, f, attitude)
   local lines, inverse = constants(p, f) -- first: they give names
   for _, g in ipairs(f.job.equations.groups) do
     local word = string.match(g.why, "^([^:,]+)")
-    if #g.defs + #g.outs > 0 then
-      p:words((string.gsub(word, "^%l", string.upper)))
+    if #g.defs + #g.outs > 0 and (attitude or word ~= "attitude") then
+      p:words((string.gsub(word, "^%l", string.upper)) .. ":")
       p:display(rates(p, g))
     end
   end
   if #lines > 0 then
-    p:text("with the constants, cancelled" .. (inverse and ", where $J$ is the inverse of $I$:" or ":"))
+    p:text("with the constants" .. (inverse and ", where $J$ is the inverse of $I$:" or ":"))
     p:display(lines)
   end
   p:where()
 end
 
+function motion.euler(p, f, asked)
+  local m = f.job.model
+  p:heading "Equations of motion"
+  if m.has.rates then
+    p:text("A vector $~e$ that is fixed in the body changes by $~e' = ~omega x ~e$. So the torque, which changes " ..
+      "the angular momentum by $~L' = ~N$ in inertial axes, gives in the axes of the body")
+    p:equations { "I ~omega' + ~omega x I ~omega = ~N" }
+    p:words "In principal axes these are Euler's equations:"
+    p:equations { "I_1 omega_1' = ( I_2 - I_3 ) omega_2 omega_3 + N_1",
+      "I_2 omega_2' = ( I_3 - I_1 ) omega_3 omega_1 + N_2", "I_3 omega_3' = ( I_1 - I_2 ) omega_1 omega_2 + N_3" }
+    p:text("A point $~r$ of the body has the velocity $~omega x ~r$ and, by the same rule once more, the " ..
+      "acceleration $~omega' x ~r + ~omega x ( ~omega x ~r )$. The second term is the centripetal acceleration.")
+  end
+  for _, e in ipairs(f.job.record.effects) do motion.effect(p, f, e) end
+  if #f.job.record.effects == 0 then p:text "No torque acts: $~N = 0$." end
+  p:words "For this body, component by component:"
+  motion.components(p, f, asked.attitude or not m.has.rates)
+end
+
 local laws = { ["T+V"] = "the energy $T + V$", ["|L|"] = "the size of $~L$", L = "$~L$ in inertial axes",
   L_z = "$L_z$ in inertial axes", w3 = "$omega_3$ along the symmetry axis", ["T+V-n.L"] = "Jacobi's integral" }
 
-local widest = 90 -- letters of a value's line with its words; a longer one gets them on the next line
+local widest = 84 -- letters of a value's line with its words; a longer one gets them on the next line
+local longest = 75 -- letters of such words
+
+local function folded(words)
+  local lines = {}
+  while #words > longest do
+    local head = string.match(string.sub(words, 1, longest), "^(.*) ")
+    lines[#lines + 1] = head
+    words = string.sub(words, #head + 2)
+  end
+  lines[#lines + 1] = words
+  return lines
+end
 
 function motion.motion(p, f)
   p:heading "Motion"
   if f.closed.kind then
     p:words("This motion has a closed form: " .. f.closed.theorem .. ".")
-    local formulas = notation.closed[f.closed.kind]
+    local formulas = closed.of(f)
     if formulas then
       p:equations(formulas)
     else
-      p:words(table.concat(f.closed.text, " "))
+      p:text(table.concat(f.closed.text, " "))
     end
   else
     p:words("This motion has no closed form: " .. f.closed.refused .. ". It is integrated.")
@@ -146,54 +164,75 @@ function motion.motion(p, f)
   p:text(#list > 0 and "Conserved: " .. table.concat(list, ", ") .. "." or "Nothing is conserved.")
   local lines = {}
   for _, v in ipairs(values.of(f)) do
-    local symbol, formula, what = table.unpack(notation.row(v), 1, 3)
-    local left = math_.read(symbol, p.names)
+    local left, what = read.of(v.symbol, p.names), v.what
     local line = { left = left }
-    if formula then
-      line[1], line[2] = math_.op "=", math_.read(formula, p.names)
+    if v.formula then
+      line[1], line[2] = tree.op "=", read.of(v.formula, p.names)
     end
-    line[#line + 1] = math_.op "approx"
-    line[#line + 1] = math_.number(v.number, 6, v.unit)
+    line[#line + 1] = tree.op "approx"
+    line[#line + 1] = tree.number(v.number, 6, v.unit)
     lines[#lines + 1] = line
-    if math_.width(math_.row(left, table.unpack(line))) + #what > widest then
-      line = {}
-      lines[#lines + 1] = line
+    for _, words in ipairs(folded(what)) do
+      if tree.width(tree.row(left, table.unpack(line))) + #words > widest then
+        line = {}
+        lines[#lines + 1] = line
+      end
+      line[#line + 1] = tree.op "quad"
+      line[#line + 1] = tree.word(words)
     end
-    line[#line + 1] = math_.op "quad"
-    line[#line + 1] = math_.word(what)
   end
   if #lines == 0 then return end
   p:words "Values of this scene's initial state:"
   p:display(lines)
 end
 
+-- The numbers of a spin about the axis n at the rate of the initial state; at 1 rad/s where nothing turns.
+local function about(p, f, n, rate)
+  local s, i, j = f.stability[order.of(f)[n]], n % 3 + 1, (n + 1) % 3 + 1
+  local indices = { ["(k)"] = n, ["(i)"] = i, ["(j)"] = j }
+  local function set(text) return read.of((string.gsub(text, "%(%a%)", indices)), p.names) end
+  local lines = {}
+  local function number(x) return tree.number(x * rate, 5, "rad/s") end
+  p:words(string.format("About axis %d, with i = %d and j = %d: %s.", n, i, j, s.verdict))
+  lines[1] = { left = p.symbols:own("Omega", "1"), tree.op "=", set "{I_(k) - I_(j)|I_(i)} omega", tree.op "approx",
+    number(s.omega1) }
+  lines[2] = { left = p.symbols:own("Omega", "2"), tree.op "=", set "{I_(k) - I_(i)|I_(j)} omega", tree.op "approx",
+    number(s.omega2) }
+  if s.period then
+    lines[3] = { left = set "sqrt(Omega_1 Omega_2)", tree.op "approx", number(math.sqrt(s.square)) }
+  elseif s.growth then
+    lines[3] = { left = set "sigma", tree.op "approx", number(s.growth) }
+  end
+  p:display(lines)
+end
+
 function motion.stability(p, f)
   if not f.job.model.has.rates then return end
   p:heading "Stability of a spin about a principal axis"
-  p:text("Let the body spin at the rate $omega$ about the principal axis $k$, and let $i$ and $j$ be the other two. " ..
-    "Euler's equations without torque, to first order in the small rates $omega_i$ and $omega_j$, are")
-  p:equations { "I_i omega_i' = ( I_j - I_k ) omega omega_j", "I_j omega_j' = ( I_k - I_i ) omega omega_i",
-    "Omega^2 = {( I_k - I_i ) ( I_k - I_j )|I_i I_j} omega^2" }
-  p:text("If $Omega^2$ is positive, the small rates oscillate and the spin is stable: about the axes of the " ..
-    "least and of the largest moment. About the middle axis $Omega^2$ is negative, and the small rates grow as an " ..
-    "exponential. With dissipation inside the body, only the axis of the largest moment stays stable.")
-  if #f.job.record.effects > 0 then p:words "For the body without its effects:" end
+  p:text("Let the body spin at the rate $omega$ about the principal axis $~e_k$, and let $~e_i$ and $~e_j$ be the " ..
+    "other two, in cyclic order. Euler's equations without torque, to first order in the small rates $omega_i$ and " ..
+    "$omega_j$, are")
+  p:equations { "I_i omega_i' = ( I_j - I_k ) omega omega_j", "I_j omega_j' = ( I_k - I_i ) omega omega_i" }
+  p:words "or"
+  p:equations { "omega_i' = - Omega_1 omega_j , \"with\" Omega_1 = {I_k - I_j|I_i} omega",
+    "omega_j' = Omega_2 omega_i , \"with\" Omega_2 = {I_k - I_i|I_j} omega" }
+  p:text("About the axes of the least and of the largest moment both rates $Omega_1$ and $Omega_2$ have one sign. " ..
+    "The small rates oscillate, and the spin is stable:")
+  p:equations { "omega_i = A cos( sqrt(Omega_1 Omega_2) t + psi_0 )",
+    "|omega_j| = A sqrt({Omega_2|Omega_1}) |sin( sqrt(Omega_1 Omega_2) t + psi_0 )|" }
+  p:text("About the middle axis the signs differ. The small rates grow as an exponential, and the spin is unstable:")
+  p:equations { "omega_i = C_1 exp( sigma t ) + C_2 exp( - sigma t ) , \"with\" sigma = sqrt(- Omega_1 Omega_2)" }
+  p:words "With dissipation inside the body, only the axis of the largest moment stays stable."
+  if #f.job.record.effects > 0 then p:words "What follows is for the body without its effects." end
+  local rate = f.rate > 0 and f.rate or 1.0
+  p:display { { left = p.symbols:own "omega", tree.op(f.rate > 0 and "approx" or "="), tree.number(rate, 5, "rad/s") } }
+  for n = 1, 3 do about(p, f, n, rate) end
   local lines = {}
-  local function relative(index) -- Omega_index^2/omega^2
-    return math_.frac(math_.pow(math_.sym("Omega", index), math_.num "2"), math_.pow(p.symbols:own "rate",
-      math_.num "2"))
-  end
-  for n, k in ipairs(mass.order(f)) do
-    local s = f.stability[k]
-    lines[n] = { left = relative(tostring(n)), math_.op "approx", math_.number(s.square, 5), math_.op "quad",
-      math_.word("about axis " .. n .. ": " .. s.verdict) }
-  end
-  p:display(lines)
-  lines = {}
   for k, e in ipairs(f.conditions or {}) do
-    p:line(lines, relative(axes[k]), e)
+    local left = read.of("{Omega_1 Omega_2|omega^2}", p.names)
+    p:line(lines, left, e, nil, nil, tree.row(tree.op "quad", tree.word("about the axis " .. axes[k])))
   end
-  if #lines > 0 then p:words "In the body's own quantities, about its axes:" end
+  if #lines > 0 then p:words "In the body's own quantities:" end
   p:display(lines)
   p:where()
 end

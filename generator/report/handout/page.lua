@@ -1,30 +1,36 @@
 -- page.lua -- the pieces of a hand-out, collected in one format: headings, sentences with formulas, displayed lines.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
-local math_ = require "generator.report.handout.math"
-local setting = require "generator.report.handout.setting"
+local read = require "generator.formula.read"
+local setting = require "generator.formula.setting"
+local tree = require "generator.formula.tree"
+local symbols = require "generator.report.symbols"
 local formula = require "generator.report.handout.formula"
 
 local page = {}
 page.__index = page
 
--- format: handout/latex.lua or one of its neighbours; symbols: handout/symbols.lua.
-function page.new(format, symbols, title)
-  local self = setmetatable({ format = format, symbols = symbols, writer = formula.new(symbols), out = {} }, page)
-  self.names = symbols:reader()
-  self.out[1] = format.title(title)
-  return self
+-- A page of facts (report/facts.lua) in a format: handout/latex.lua or one of its neighbours.
+function page.of(format, f)
+  local table_of = symbols.of(f)
+  return setmetatable({ format = format, symbols = table_of, writer = formula.new(table_of), out = {},
+    names = table_of.reader }, page)
 end
 
 function page:put(text) self.out[#self.out + 1] = text end
+
+-- A place for what is known at the end only: late(page) -> text.
+function page:reserve(late)
+  self:put ""
+  self.late = { at = #self.out, of = late }
+end
 function page:heading(text) self:put(self.format.heading(text)) end
 
 -- "words with $~L = I ~omega$ in between" as the format writes it.
 function page:inline(text)
   local parts = {}
-  for words, notation in string.gmatch(text .. "$$", "([^$]*)%$([^$]*)%$") do
-    parts[#parts + 1] = self.format.words(words)
-    if notation ~= "" then parts[#parts + 1] = self.format.inline(math_.read(notation, self.names)) end
+  for i, part in ipairs(read.prose(text, self.names)) do
+    parts[i] = part.node and self.format.inline(part.node) or self.format.words(part.words)
   end
   return table.concat(parts)
 end
@@ -62,21 +68,22 @@ end
 function page:equations(list)
   local lines = {}
   for i, text in ipairs(list) do
-    local left, right = string.match(text, "^(.-) = (.*)$")
-    lines[i] = { left = math_.read(left, self.names), math_.op "=", math_.read(right, self.names) }
+    local left, right = read.equation(text, self.names)
+    lines[i] = { left = left, right }
   end
   self:display(lines)
 end
 
 -- Adds "left = expression (= number unit)" to lines; what is too long for people is given by its number.
-function page:line(lines, left, e, number, unit)
-  local value = number and math_.number(number, 5, unit)
-  local exact = number and math_.rounded(number, 5) == number
-  local tail = value and math_.row(math_.op(exact and "=" or "approx"), value)
+-- words: a node after it, or nil.
+function page:line(lines, left, e, number, unit, words)
+  local value = number and tree.number(number, 5, unit)
+  local exact = number and tree.rounded(number, 5) == number
+  local tail = words or value and tree.row(tree.op(exact and "=" or "approx"), value)
   if e and e.kind == "num" and number then tail = nil end
   local rows = e and (e.kind ~= "num" or not number) and self.writer:rows(left, e, tail)
-  rows = rows or { { left = left, math_.op((exact or not value) and "=" or "approx"),
-    value or math_.word "(too long to print)" } }
+  rows = rows or { { left = left, tree.op((exact or not value) and "=" or "approx"),
+    value or tree.word "(too long to print)" } }
   for _, r in ipairs(rows) do lines[#lines + 1] = r end
 end
 
@@ -95,7 +102,7 @@ function page:where()
   end
   for i = self.told_constants + 1, #w.constants do
     local c = w.constants[i]
-    lines[#lines + 1] = { left = c.node, math_.op "approx", math_.number(c.number, 17) }
+    lines[#lines + 1] = { left = c.node, tree.op "approx", tree.number(c.number, 17) }
   end
   self.told_constants = #w.constants
   if #lines == 0 then return end
@@ -103,6 +110,12 @@ function page:where()
   self:display(lines)
 end
 
-function page:done() return table.concat(self.out, "\n") .. "\n" .. self.format.tail end
+function page:done()
+  if self.late then
+    local text = self.late.of(self)
+    if text ~= "" then self.out[self.late.at] = text else table.remove(self.out, self.late.at) end
+  end
+  return table.concat(self.out, "\n") .. "\n"
+end
 
 return page
