@@ -20,7 +20,7 @@ local read = {}
 
 -- sn, cn, dn, K: of Jacobi.  mean: over a period.
 read.functions = {}
-for name in string.gmatch("sin cos tan asin acos atan atan2 exp log cosh sinh tanh sn cn dn K mean sign", "%a+") do
+for name in string.gmatch("sin cos tan asin acos atan atan2 exp log cosh sinh tanh sn cn dn K mean sign", "%g+") do
   read.functions[name] = true
 end
 

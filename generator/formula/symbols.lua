@@ -64,8 +64,9 @@ function symbols:free(family, base, word)
   for _, sub in ipairs(family.subs) do
     local whole = joined(word, bare(sub))
     local by = self.used[key(base, whole)]
-    if type(by) == "string" then return false, by end
-    local other = (base ~= family.base or word) and theory.has(base, whole, sub == "~")
+    -- families of one letter keep off each other; a vector and its size share theirs
+    if by and (type(by) == "string" or by.base ~= family.base) then return false, type(by) == "string" and by or nil end
+    local other = (base ~= family.base or word) and (theory.has(base, whole) or theory.has(base, whole, true))
     if other and other ~= family then return false, other.base end
   end
   return true

@@ -14,6 +14,7 @@ local law = require "generator.mass.law"
 
 local design = require "generator.report.stability_conditions"
 local linearised = require "generator.report.linearised"
+local order = require "generator.report.order"
 
 local facts = {}
 
@@ -45,6 +46,18 @@ local function stability(I)
   return list
 end
 
+-- The axes 1, 2, 3 of order.lua become right-handed, 3 of a symmetric top on the side of the centre of mass, seen from
+-- the origin, or if that is the origin on that of the spin.
+local function orient(f, w)
+  local places = order.of(f)
+  local function flip(n) f.axes[places[n]] = vec.scale(-1.0, f.axes[places[n]]) end
+  local lever = vec.dot(f.axes[places[3]], f.arm_number)
+  local side = lever ~= 0 and lever or vec.dot(f.axes[places[3]], w)
+  if f.structure.kind == "symmetric" and side < 0 then flip(3) end
+  local e = vec.map(places, function(k) return f.axes[k] end)
+  if vec.dot(vec.cross(e[1], e[2]), e[3]) < 0 then flip(2) end
+end
+
 -- Everything a report needs of a job (driver.read).
 function facts.of(job)
   local m = job.model
@@ -74,7 +87,8 @@ function facts.of(job)
   f.physical = not m.formal or law.lawful(vec.map(m.centroidal, function(e) return m:number(e) end))
   f.symmetry = m.structure.rod and "rod: no moment about its line" or words[m.structure.kind]
   f.stability = stability(precise)
-  local w = doubles(m.omega)
+  local w = m.has.rates and doubles(m.omega) or { 0.0, 0.0, 0.0 }
+  orient(f, w)
   f.rate = m.has.rates and math.sqrt(vec.dot(w, w)) or 0.0
   f.closed = job.closed
   f.warnings = job.diag.warnings

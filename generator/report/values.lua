@@ -48,16 +48,22 @@ local function period(rate) return R.sign(rate) ~= 0 and two * pi() / R.abs(rate
 
 -- ---- free bodies ----
 
--- k is taken on the side of L, so w3 is not negative.
+-- k is taken on the side of w, so w3 is not negative.
 local function symmetric(f, put, w, L)
   local s, m = f.structure, f.job.model
   local k = vec.map(s.k, function(e) return m:number(e) end)
   k = vec.scale(R.one / length(k), k)
-  if R.sign(vec.dot(k, L)) < 0 then k = vec.scale(-R.one, k) end
+  if R.sign(vec.dot(k, w)) < 0 then k = vec.scale(-R.one, k) end
   local I1, I3, w3 = m:number(s.alpha), m:number(s.axial), vec.dot(k, w)
   local across = length(vec.cross(k, w))
   put("spin", "omega_3", "~omega . ~e_3", "spin about the axis of symmetry", w3, "rad/s")
-  put("across", "A", "sqrt(omega^2 - omega_3^2)", "angular velocity across this axis", across, "rad/s")
+  put("across", "A", "|~omega x ~e_3|", "angular velocity across this axis", across, "rad/s")
+  if not s.rod then
+    local e = vec.map(order.of(f), function(n) return f.axes[n] end)
+    local v = vec.map(w, R.todouble)
+    put("phase", "psi_0", "atan2(~omega . ~e_2 , ~omega . ~e_1)", "phase of its part across the axis",
+      math.atan(vec.dot(v, e[2]), vec.dot(v, e[1])), "rad")
+  end
   put("precession_rate", "phi'", "{L|I_1}", "precession: of the axis about L, in space", length(L) / I1, "rad/s")
   put("precession_period", "tau_p", "{2 pi|phi'}", "its period", period(length(L) / I1), "s")
   if s.rod then return end
@@ -146,12 +152,12 @@ local function heavy(f, put)
     w = numbers(m.omega) }
   local spin, precession = R.abs(top.s), top.precession
   put("weight_moment", "G", "M g |~R|", "moment of the weight about the fixed point", weight, "N m")
-  put("L_vertical", "L_z", nil, "vertical component of L, conserved", I1 * top.l, "N m s")
+  put("L_vertical", "L_v", nil, "vertical component of L, conserved", I1 * top.l, "N m s")
   put("L_axial", "L_3", "I_3 omega_3", "L along the axis, conserved", I1 * top.s, "N m s")
   put("tilt_least", "theta_min", nil, "least tilt between the axis and the vertical", degrees(top.tilt[1]), "deg")
   put("tilt_greatest", "theta_max", nil, "greatest tilt", degrees(top.tilt[2]), "deg")
   put("nutation_period", "tau_n", "{2 K(k)|lambda}", "period of the tilt", top.period, "s")
-  put("precession_rate", "phi'", "mean({L_z - L_3 cos(theta)|I_1 sin^2(theta)})",
+  put("precession_rate", "phi'", "mean({L_v - L_3 cos(theta)|I_1 sin^2(theta)})",
     "precession about the vertical, on average", precession, "rad/s")
   put("precession_period", "tau_p", "{2 pi||phi'|}", "its period", precession and period(precession), "s")
   if R.sign(spin) ~= 0 then
@@ -160,7 +166,7 @@ local function heavy(f, put)
   end
   put("fast_nutation_rate", "Omega_fast", "{|L_3||I_1}", "rate of the nutation of a fast spin", spin, "rad/s")
   if R.sign(I3) > 0 then
-    put("critical_spin", "omega_0", "{2 sqrt(I_1 G)|I_3}", "upright, the top sleeps: it is stable above this spin",
+    put("critical_spin", "omega_crit", "{2 sqrt(I_1 G)|I_3}", "upright, the top sleeps: it is stable above this spin",
       two * root(I1 * weight) / I3, "rad/s")
   end
   put("sleeping", "sigma", "{L_3^2|4 I_1 G}", "above 1 the upright top is stable",

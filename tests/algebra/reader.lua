@@ -107,7 +107,8 @@ local LATEX = {
 
 function tokens.latex(s)
   s = rewritten(s, LATEX)
-  s = string.gsub(s, "\\(%a+)", " %1 ")
+  s = string.gsub(string.gsub(s, "\\cdot%f[%A]", " · "), "\\times%f[%A]", " × ")
+  s = string.gsub(s, "\\(%a[%w_]*)", " %1 ")
   if string.find(s, "[{}\\&]") then error("no formula in LaTeX: " .. s, 0) end
   return tokens.text(s)
 end
@@ -224,13 +225,25 @@ local function parse(list, env, A, source)
     end
     return v
   end
+  local function term() -- products of vectors bind less than those of numbers: a b × c is (a b) × c
+    local v = product()
+    while true do
+      if take "·" then
+        v = A.dot(v, product())
+      elseif take "×" then
+        v = A.cross(v, product())
+      else
+        return v
+      end
+    end
+  end
   function sum()
-    local v = take "-" and -product() or product()
+    local v = take "-" and -term() or term()
     while true do
       if take "+" then
-        v = v + product()
+        v = v + term()
       elseif take "-" then
-        v = v - product()
+        v = v - term()
       else
         return v
       end

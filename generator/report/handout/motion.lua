@@ -67,11 +67,21 @@ local function constants(p, f)
       end
     end
   end
-  local inverse = false
+  local inverse, bare = false, false
+  for _, e in ipairs(f.job.record.effects) do -- with what moves in the body, the code's L has its part
+    for _, x in ipairs(e.kind == "effect.inertia_rate" and axes or {}) do
+      p.symbols.of_name["L" .. x] = p.symbols:own("L", x .. ",t")
+    end
+  end
   for _, member in ipairs(f.job.model.members) do
     if used[member.name] and member.name ~= "M" then
       inverse = inverse or string.find(member.name, "^J[xyz][xyz]$") ~= nil
-      if not string.find(member.name, "^[IJRL][xyz]+$") and not p.symbols.of_name[member.name] then
+      local entry = string.match(member.name, "^I([xyz]+)$")
+      local own = entry and not shown[member.e] -- the code's tensor, without what turns within the body
+      bare = bare or own
+      if own then
+        p.symbols.of_name[member.name] = p.symbols:own("I", entry .. ",b")
+      elseif not string.find(member.name, "^[IJRL][xyz]+$") and not p.symbols.of_name[member.name] then
         p.symbols.of_name[member.name] = p.symbols:fresh "k"
       end
       if not (shown[member.e] and string.find(member.name, "^[IR][xyz]+$")) then
@@ -79,7 +89,7 @@ local function constants(p, f)
       end
     end
   end
-  return lines, inverse
+  return lines, inverse, bare
 end
 
 -- Lines for the intermediate values and the derivatives of a group of equations.
@@ -95,7 +105,7 @@ end
 
 -- The equations of this body, component by component; attitude: with those of the attitude.
 function motion.components(p, f, attitude)
-  local lines, inverse = constants(p, f) -- first: they give names
+  local lines, inverse, bare = constants(p, f) -- first: they give names
   for _, g in ipairs(f.job.equations.groups) do
     local word = string.match(g.why, "^([^:,]+)")
     if #g.defs + #g.outs > 0 and (attitude or word ~= "attitude") then
@@ -104,7 +114,8 @@ function motion.components(p, f, attitude)
     end
   end
   if #lines > 0 then
-    p:text("with the constants" .. (inverse and ", where $J$ is the inverse of $I$:" or ":"))
+    p:text("with the constants" .. (inverse and ", where $J$ is the inverse of the tensor" or "") .. (bare and
+      ", $I_b$ the tensor without what turns in the body about its own axis" or "") .. ":")
     p:display(lines)
   end
   p:where()
@@ -193,10 +204,11 @@ local function about(p, f, n, rate)
   local function set(text) return read.of((string.gsub(text, "%(%a%)", indices)), p.names) end
   local lines = {}
   local function number(x) return tree.number(x * rate, 5, "rad/s") end
+  if f.structure.rod then return p:words("About axis " .. n .. ": " .. s.verdict .. ".") end
   p:words(string.format("About axis %d, with i = %d and j = %d: %s.", n, i, j, s.verdict))
-  lines[1] = { left = p.symbols:own("Omega", "1"), tree.op "=", set "{I_(k) - I_(j)|I_(i)} omega", tree.op "approx",
+  lines[1] = { left = p.symbols:own("Omega", "1"), tree.op "=", set "{I_(k) - I_(j)|I_(i)} omega_0", tree.op "approx",
     number(s.omega1) }
-  lines[2] = { left = p.symbols:own("Omega", "2"), tree.op "=", set "{I_(k) - I_(i)|I_(j)} omega", tree.op "approx",
+  lines[2] = { left = p.symbols:own("Omega", "2"), tree.op "=", set "{I_(k) - I_(i)|I_(j)} omega_0", tree.op "approx",
     number(s.omega2) }
   if s.period then
     lines[3] = { left = set "sqrt(Omega_1 Omega_2)", tree.op "approx", number(math.sqrt(s.square)) }
@@ -209,13 +221,13 @@ end
 function motion.stability(p, f)
   if not f.job.model.has.rates then return end
   p:heading "Stability of a spin about a principal axis"
-  p:text("Let the body spin at the rate $omega$ about the principal axis $~e_k$, and let $~e_i$ and $~e_j$ be the " ..
+  p:text("Let the body spin at the rate $omega_0$ about the principal axis $~e_k$, and let $~e_i$ and $~e_j$ be the " ..
     "other two, in cyclic order. Euler's equations without torque, to first order in the small rates $omega_i$ and " ..
     "$omega_j$, are")
-  p:equations { "I_i omega_i' = ( I_j - I_k ) omega omega_j", "I_j omega_j' = ( I_k - I_i ) omega omega_i" }
+  p:equations { "I_i omega_i' = ( I_j - I_k ) omega_0 omega_j", "I_j omega_j' = ( I_k - I_i ) omega_0 omega_i" }
   p:words "or"
-  p:equations { "omega_i' = - Omega_1 omega_j , \"with\" Omega_1 = {I_k - I_j|I_i} omega",
-    "omega_j' = Omega_2 omega_i , \"with\" Omega_2 = {I_k - I_i|I_j} omega" }
+  p:equations { "omega_i' = - Omega_1 omega_j , \"with\" Omega_1 = {I_k - I_j|I_i} omega_0",
+    "omega_j' = Omega_2 omega_i , \"with\" Omega_2 = {I_k - I_i|I_j} omega_0" }
   p:text("About the axes of the least and of the largest moment both rates $Omega_1$ and $Omega_2$ have one sign. " ..
     "The small rates oscillate, and the spin is stable:")
   p:equations { "omega_i = A cos( sqrt(Omega_1 Omega_2) t + psi_0 )",
@@ -225,14 +237,19 @@ function motion.stability(p, f)
   p:words "With dissipation inside the body, only the axis of the largest moment stays stable."
   if #f.job.record.effects > 0 then p:words "What follows is for the body without its effects." end
   local rate = f.rate > 0 and f.rate or 1.0
-  p:display { { left = p.symbols:own "omega", tree.op(f.rate > 0 and "approx" or "="), tree.number(rate, 5, "rad/s") } }
+  p:display { { left = p.symbols:own("omega", "0"), tree.op(f.rate > 0 and "approx" or "="),
+    tree.number(rate, 5, "rad/s") } }
   for n = 1, 3 do about(p, f, n, rate) end
   local lines = {}
   for k, e in ipairs(f.conditions or {}) do
-    local left = read.of("{Omega_1 Omega_2|omega^2}", p.names)
-    p:line(lines, left, e, nil, nil, tree.row(tree.op "quad", tree.word("about the axis " .. axes[k])))
+    local entries = { ["(k)"] = axes[k] .. axes[k], ["(i)"] = axes[k % 3 + 1] .. axes[k % 3 + 1],
+      ["(j)"] = axes[(k + 1) % 3 + 1] .. axes[(k + 1) % 3 + 1] }
+    local left = string.gsub("{( I_(k) - I_(i) ) ( I_(k) - I_(j) )|I_(i) I_(j)}", "%(%a%)", entries)
+    p:line(lines, read.of(left, p.names), e)
   end
-  if #lines > 0 then p:words "In the body's own quantities:" end
+  if #lines > 0 then
+    p:text "In the body's own quantities $Omega_1 Omega_2/omega_0^2$ is, about its axes $x$, $y$ and $z$:"
+  end
   p:display(lines)
   p:where()
 end
