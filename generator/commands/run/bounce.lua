@@ -282,7 +282,11 @@ function composed(host, contact, flight, given, course, engine)
   way.twin = on_plane.double and function()
     return (composed(host, contact, flight, on_plane.double, course, engine))
   end
-  function way.solve(times, o) return self:solve(times, o) end
+  function way.solve(times, o)
+    local list, failure = self:solve(times, o)
+    way.stiff = on_plane.stiff or in_air.stiff
+    return list, failure
+  end
   function way.measured(s) return (s.on and on_plane or in_air).measured(s.inner) end
   -- What happened up to a time: a list of {name, t}; those of the longest step.
   function way.phases(to)
