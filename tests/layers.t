@@ -112,7 +112,8 @@ local PRINTS_NUMBERS = { ["generator/emit/number.lua"] = true, ["generator/draw/
   ["generator/commands/check.lua"] = true, ["generator/commands/comparison.lua"] = true,
   ["generator/commands/touch_checks.lua"] = true, ["generator/commands/run/bounce.lua"] = true, -- in messages
   ["generator/commands/events.lua"] = true, ["generator/commands/chart.lua"] = true, -- in a message and a title
-  ["generator/dynamics/landing.lua"] = true, ["generator/dynamics/start.lua"] = true, -- in a message
+  ["generator/dynamics/happenings.lua"] = true, ["generator/dynamics/landing.lua"] = true,
+  ["generator/dynamics/start.lua"] = true, -- in a message
   ["generator/commands/stepper_checks.lua"] = true,
   ["generator/commands/motion_checks.lua"] = true,
   ["generator/commands/forced.lua"] = true,

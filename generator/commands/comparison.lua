@@ -8,6 +8,8 @@ local switching = require "generator.dynamics.switching"
 local forced = require "generator.commands.forced"
 local contact = require "generator.dynamics.contact"
 local drawn = require "generator.commands.drawn"
+local happenings = require "generator.dynamics.happenings"
+local motion = require "generator.dynamics.motion"
 local numeric = require "generator.dynamics.numeric"
 local selftest = require "generator.emit.selftest"
 local motion_checks = require "generator.commands.motion_checks"
@@ -16,7 +18,7 @@ local touch_checks = require "generator.commands.touch_checks"
 
 local comparison = {}
 
-local narrow, state = drawn.narrow, drawn.state
+local narrow, state = numeric.narrow, drawn.state
 
 -- The larger of two; a NaN counts as infinite, so that it cannot pass a test (math.max would drop it).
 local function worse(a, b)
@@ -227,20 +229,14 @@ end
 -- The numeric form of the scene with the tensor that the emitted code uses, and its state: x, or the scene's own.
 local function setting(job, plugin, x)
   plugin:init()
-  local s = numeric.scene(job)
   x = x or numeric.initial(job)
   for i, y in ipairs(x) do x[i] = narrow(y, job.real) end
-  local full = numeric.whole(job, x)
-  s.q, s.w = { table.unpack(full, 1, 4) }, { table.unpack(full, 5, 7) }
-  local after = job.model.has.position and 13 or 7
-  if after > 7 then s.r, s.v = { table.unpack(full, 8, 10) }, { table.unpack(full, 11, 13) } end
-  s.own = { table.unpack(full, after + 1) }
-  return s, x
+  return numeric.from(numeric.scene(job), job, x), x
 end
 
 -- The steppers, on motions without corners: from the scene's own state or one near it, and from another one.
 local function steppers(host, job, plugin, tap, name, x0, random, epsilon)
-  local scale, motions = scales(job), {}
+  local scale, parts = scales(job), {}
   local function draw() return state(job, random, scale, job.real) end
   if contact.of(job.model) then -- of a state drawn at random the plane might have to pull the body
     function draw()
@@ -254,23 +250,23 @@ local function steppers(host, job, plugin, tap, name, x0, random, epsilon)
   for n = 1, 2 do
     local start, finish = motion_checks.smooth(job, plugin, n == 1 and x0 or draw(), draw)
     if start then
-      local exact, why = host.run((setting(job, plugin, start)), { method = "adaptive", times = { finish } })
+      local exact, failure = motion.to(motion.library(host, job, (setting(job, plugin, start)), {}), finish)
       if not exact then
-        tap.ok(false, name .. ": the library follows the motion", why)
+        tap.ok(false, name .. ": the library follows the motion", happenings.said(failure))
         return
       end
-      motions[#motions + 1] = { start = start, finish = finish, want = numeric.part(job, exact[1], 1) }
+      parts[#parts + 1] = { start = start, finish = finish, want = exact.x }
     end
   end
-  if #motions == 0 then
+  if #parts == 0 then
     tap.ok(true, name .. ": halving h divides the stepper's error by about 16 # SKIP every motion that was " ..
       "tried has corners, where the order is 1")
     return
   end
-  stepper_checks.run(job, plugin, tap, name, motions, function(a, b) return distance(job, scale, a, b) end, epsilon)
+  stepper_checks.run(job, plugin, tap, name, parts, function(a, b) return distance(job, scale, a, b) end, epsilon)
 end
 
-local function motion(host, job, plugin, tap, name, random, epsilon)
+local function along(host, job, plugin, tap, name, random, epsilon)
   local _, x0 = setting(job, plugin)
   if contact.of(job.model) then
     local c = host.rates(numeric.scene(job)):contact(0.0, numeric.whole(job, x0))
@@ -290,29 +286,24 @@ end
 -- 2 units of them, are added.
 local function closed(host, job, plugin, tap, name, random, epsilon)
   local s, x0 = setting(job, plugin)
-  local I, mass = plugin:inertia(), host.mass(s)
-  local rod = job.model.structure.rod -- a rounded tensor is no rod any more: there the shapes themselves are compared
-  local t = { shape = "tensor", mass = mass.mass, com = { 0.0, 0.0, 0.0 }, about = "com", xx = I[1], yy = I[2],
-    zz = I[3], xy = I[4], xz = I[5], yz = I[6], formal = job.model.unlawful }
-  if not rod then s.body, s.origin = t, { 0.0, 0.0, 0.0 } end
+  motion_checks.at_tensor(host, job, plugin, s)
   local scale = scales(job).rates
   local finish = 2 * math.pi / scale * (job.real == "float" and 1e3 or 1e6)
   local worst, count = 0.0, 0
   for n = 1, 100 do
     local x = n == 1 and x0 or state(job, random, scales(job), job.real)
-    s.q, s.w = { table.unpack(x, 1, 4) }, { table.unpack(x, 5, 7) }
     local times = {}
     for i, part in ipairs { 1e-6, 1e-3, 1 } do times[i] = narrow(finish * part * (1.5 + 0.5 * random()), job.real) end
-    local rows, why = host.run(s, { method = "exact", times = times })
-    if not rows or plugin:solve(x) ~= 0 then
-      tap.ok(false, name .. ": library and closed form accept the state", why)
+    local list, wanted, why = motion_checks.both(host, job, plugin, x, numeric.from(s, job, x), "exact", times)
+    if not list then
+      tap.ok(false, name .. ": " .. wanted, why)
       return
     end
-    for i, time in ipairs(times) do
-      local got, want = plugin:at(time), { table.unpack(rows[i], 2, 8) }
+    for _, p in ipairs(list) do
+      local got, want = p.got, p.want
       local most = largest { want[5], want[6], want[7] }
       local bound = 18 * epsilon + 1e-15
-      if job.closed.kind ~= "asymmetric" then bound = bound + 2 * epsilon * most * time end
+      if job.closed.kind ~= "asymmetric" then bound = bound + 2 * epsilon * most * p.t end
       for k = 1, 7 do
         worst = worse(worst, math.abs(got[k] - want[k]) / (k > 4 and most > 0 and most or 1.0) / bound)
       end
@@ -341,7 +332,7 @@ function comparison.run(host, job, plugin, tap, count)
   if job.model.has.rates then tensors(job, name, plugin, mass, tap, epsilon) end
   rates(host, job, plugin, tap, count, name, random, real, epsilon)
   jacobian(host, job, plugin, tap, name, random, real, epsilon)
-  motion(host, job, plugin, tap, name, random, epsilon)
+  along(host, job, plugin, tap, name, random, epsilon)
   if job.closed.kind == "point" or job.closed.flags and job.closed.flags.flies then
     local numbers, x0 = setting(job, plugin)
     motion_checks.point(host, job, plugin, tap, name, numbers, x0, scales(job), epsilon)

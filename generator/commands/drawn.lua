@@ -23,12 +23,6 @@ function drawn.numbers(seed)
   end
 end
 
--- A double that the scene's real type holds exactly.
-function drawn.narrow(x, real)
-  if real == "float" then return string.unpack("f", string.pack("f", x)) end
-  return x
-end
-
 -- An attitude drawn at random, of any length; within 38 degrees of the scene's own where the body's surface need not
 -- touch the plane in every attitude.
 local function attitude(job, random)
@@ -52,7 +46,7 @@ function drawn.state(job, random, scale, real)
     if n < 0.1 then return drawn.state(job, random, scale, real) end
   end
   for i, s in ipairs(job.states) do
-    x[i] = drawn.narrow(s.kind == "attitude" and q[s.place] / n or random() * scale[s.kind], real)
+    x[i] = numeric.narrow(s.kind == "attitude" and q[s.place] / n or random() * scale[s.kind], real)
   end
   return x
 end
@@ -64,7 +58,7 @@ function drawn.input(job, random, scale, real)
     local low, high = inputs.range(job.model, s)
     local middle, half = 0.0, scale
     if low then middle, half = R.todouble(low + high) / 2, R.todouble(high - low) * 0.75 end
-    u[i] = drawn.narrow(middle + random() * half, real)
+    u[i] = numeric.narrow(middle + random() * half, real)
   end
   return u
 end
@@ -74,7 +68,7 @@ function drawn.parameters(job, random, plugin, real)
   for k = 100, 0, -1 do
     local list, values = {}, {}
     for i, p in ipairs(job.model.params) do
-      local x = drawn.narrow(R.todouble(p.default) * 2.0 ^ (random() * k / 100), real)
+      local x = numeric.narrow(R.todouble(p.default) * 2.0 ^ (random() * k / 100), real)
       list[i], values[p.name] = x, R.fromdouble(x)
     end
     if plugin:init(list) == 0 then return values end

@@ -1,6 +1,7 @@
 -- forced.lua -- the closed form of a motion with effects against the library's Taylor series: one of `polhode check`.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local motion_checks = require "generator.commands.motion_checks"
 local numeric = require "generator.dynamics.numeric"
 
 local forced = {}
@@ -16,20 +17,14 @@ end
 
 -- plugin: the emitted code; scale: the largest |w| that counts; starts: states; given(x): the scene for the library
 -- from that state.  The closed form may refuse all but the first of them (a motion that it has not).
--- The library gets the tensor that the emitted code returns, but for a rod, which a rounded one is no more, and for a
--- heavy top, whose centre of mass counts.
+-- The library gets the tensor that the emitted code returns, but for a heavy top, whose centre of mass counts.
 -- Of a ball on a plane the place counts, too, by how far it went.
 -- Up to a hundred turns (a ball that a slope or a turntable drives: four) at the pace of the motion, w and w'/w
 -- together; where the rates grow, until they are e^4 times what they were.  Bound: 18 units of the last place are
 -- promised of the emitted code, 1e-12 is what the series' steps of 1e-15 have grown to; to each phase the roundings of
 -- the constants and of the time are added, 4 units.
 local function worst_of(host, job, plugin, epsilon, scale, s, x0)
-  if not job.model.structure.rod and job.closed.kind ~= "lagrange" then
-    local I, mass = plugin:inertia(), host.mass(s)
-    s.body = { shape = "tensor", mass = mass.mass, com = { 0.0, 0.0, 0.0 }, about = "com", xx = I[1], yy = I[2],
-      zz = I[3], xy = I[4], xz = I[5], yz = I[6], formal = job.model.unlawful }
-    s.origin = { 0.0, 0.0, 0.0 }
-  end
+  if job.closed.kind ~= "lagrange" then motion_checks.at_tensor(host, job, plugin, s) end
   local w, place = 0, nil -- where the rates begin, and the coordinates along a plane
   for i, state in ipairs(job.states) do
     if state.name == "wx" then w = i end
@@ -42,14 +37,12 @@ local function worst_of(host, job, plugin, epsilon, scale, s, x0)
   local growth = job.closed.decay and -job.model:double(job.closed.decay) or 0
   if growth > 0 then finish = math.min(finish, 4 / growth) end
   local times = { finish / 300, finish / 15, finish }
-  if job.real == "float" then
-    for i, t in ipairs(times) do times[i] = string.unpack("f", string.pack("f", t)) end
-  end
-  local rows, why = host.run(s, { method = "adaptive", times = times })
-  if not rows then return nil, why end
+  for i, t in ipairs(times) do times[i] = numeric.narrow(t, job.real) end
+  local list, wanted, why = motion_checks.both(host, job, plugin, x0, s, "adaptive", times)
+  if not list then return nil, wanted, why end
   local worst = 0.0
-  for i, t in ipairs(times) do
-    local got, want = plugin:at(t), numeric.part(job, rows[i], 1)
+  for _, p in ipairs(list) do
+    local t, got, want = p.t, p.got, p.want
     local most = math.max(scale, length(want, w))
     local bound = 18 * epsilon + 1e-12 + 4 * epsilon * (pace + most) * t
     local function largest(from, more)
@@ -76,9 +69,9 @@ function forced.run(host, job, plugin, tap, name, epsilon, scale, starts, given)
       tap.ok(false, name .. ": the closed form accepts the initial state")
       return
     elseif status == 0 then
-      local one, why = worst_of(host, job, plugin, epsilon, scale, s, x)
+      local one, wanted, why = worst_of(host, job, plugin, epsilon, scale, s, x)
       if not one then
-        tap.ok(false, name .. ": the library follows the motion", why)
+        tap.ok(false, name .. ": " .. wanted, why)
         return
       end
       worst, count = math.max(worst, one), count + 1

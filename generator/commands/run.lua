@@ -176,9 +176,8 @@ function run.refuse(host, failure, help, command)
   command = command or "run"
   if failure.diag then return options.refuse(host, failure.diag) end
   if failure.command then return options.wrong(host, command, failure.text) end
-  local when = failure.t and string.format("at t = %.6g s: ", failure.t) or ""
-  return options.failed(host, command, when .. failure.text .. (help and help ~= "" and "\n  what helps: " .. help or
-    ""), failure.status)
+  return options.failed(host, command, happenings.said(failure) ..
+    (help and help ~= "" and "\n  what helps: " .. help or ""), failure.status)
 end
 
 function run.run(host, given)

@@ -7,6 +7,7 @@
 
 local equations = require "generator.dynamics.equations"
 local methods = require "generator.methods.methods"
+local motion = require "generator.dynamics.motion"
 
 local stepper_checks = {}
 
@@ -33,21 +34,24 @@ local loss = 0.75
 -- grow as neighbouring motions part.
 local growth = 1e4
 
--- motions: {start, finish, want = the library's state at finish}; distance(x, y): of two states, against their size.
-function stepper_checks.run(job, plugin, tap, name, motions, distance, epsilon)
+-- parts: of motions, {start, finish, want = the library's state at finish}; distance(x, y): of two states, against
+-- their size.
+function stepper_checks.run(job, plugin, tap, name, parts, distance, epsilon)
   for _, s in ipairs(job.steppers) do
     local m = s.method
     local order = m.order -- of an adaptive method that of its step, which is another function
     local worst, shown, fine = 0.0, nil, true
-    for _, motion in ipairs(motions) do
-      local function off(h)
-        local rows = plugin:integrate(motion.start, nil, h, { motion.finish }, nil, m.name)
-        return rows and distance({ table.unpack(rows[1], 2) }, motion.want) or math.huge
+    for _, p in ipairs(parts) do
+      local emitted = motion.emitted(job, plugin, { x = p.start, method = m.name })
+      local function off(setting)
+        local got = motion.to(emitted, p.finish, setting)
+        return got and distance(got.x, p.want) or math.huge
       end
       if not m.adaptive then
         local n, first, second, good = base[order] // (job.real == "float" and 2 or 1), nil, nil, false
         for _ = 1, 3 do -- two powers of h may cancel at one step's size, but at no other
-          first, second = second or off(motion.finish / n), off(motion.finish / (2 * n))
+          first = second or off { step = p.finish / n }
+          second = off { step = p.finish / (2 * n) }
           -- of two infinite errors neither is the larger; a step rounds up to some 16 times
           good = first < 0.3 and second <= first / (loss * 2 ^ order) + (256 + 16 * n) * epsilon
           if good then break end
@@ -59,7 +63,7 @@ function stepper_checks.run(job, plugin, tap, name, motions, distance, epsilon)
         fine = fine and good
       else
         local tolerance = job.real == "float" and 1e-5 or 1e-11
-        local e = math.max(off { tolerance }, m.name == "taylor" and off(motion.finish / 256) or 0.0)
+        local e = math.max(off { tolerance = tolerance }, m.name == "taylor" and off { step = p.finish / 256 } or 0.0)
         worst = math.max(worst, e)
         fine = fine and e <= growth * tolerance
         shown = string.format("%.3g at a tolerance of %g", worst, tolerance)

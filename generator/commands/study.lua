@@ -11,8 +11,10 @@ local condition = require "generator.plan.condition"
 local drift = require "generator.plan.drift"
 local driver = require "generator.driver"
 local err = require "generator.plan.error"
+local happenings = require "generator.dynamics.happenings"
 local ladder = require "generator.plan.ladder"
 local methods = require "generator.methods.methods"
+local motion = require "generator.dynamics.motion"
 local numeric = require "generator.dynamics.numeric"
 local ops = require "generator.cost.ops"
 local reference = require "generator.plan.reference"
@@ -177,34 +179,34 @@ local function explain_floors(g, rows)
   end
 end
 
--- One entry's rows.  run(setting) -> rows of states or nil.
-local function climb(g, e, kind, run, best)
-  local out, real = {}, e.c and e.c.real or "double"
-  local found = ladder.climb { order = e.order or 4, T = g.T, kind = kind, least = epsilon[real], enough = g.enough,
-    floor = math.max(2 * g.number * epsilon[real], g.own_error), noise = many * g.state * epsilon[real], best = best,
-    behind = e.behind,
-    run = function(setting)
-      local start = g.host.clock()
-      local rows = run(setting)
-      local seconds = g.host.clock() - start
-      if not rows then return math.huge, seconds end
-      local states = err.states(rows)
-      return err.of(g.job, states, g.reference), seconds, states
-    end }
+-- One entry's rows: of a closed form one, else a ladder's.
+local function climb(g, e, best)
+  local out, real, kind = {}, e.c and e.c.real or "double", (e.c or e).setting
+  local m, failure = motion.emitted(g.job, (e.unit or e).plugin, e.c and { x = g.x0, method = e.c.method } or
+    { x = g.x0, peer = e.name, patience = patience })
+  local function run(setting)
+    local start, list = g.host.clock(), nil
+    if m then list, failure = m.solve(g.times, { [kind] = setting }) end
+    local seconds = g.host.clock() - start
+    if not list then return math.huge, seconds end
+    local states = err.states(list)
+    return err.of(g.job, states, g.reference), seconds, states
+  end
+  local found = {}
+  if kind == "none" then
+    local error, _, states = run()
+    found[1] = states and { error = error, seconds = 1e-5, what = states }
+    g.remarks[#g.remarks + 1] = not states and e.name .. ": " .. happenings.said(failure) or nil
+  else
+    found = ladder.climb { order = e.order or 4, T = g.T, kind = kind, least = epsilon[real], enough = g.enough,
+      floor = math.max(2 * g.number * epsilon[real], g.own_error), noise = many * g.state * epsilon[real], best = best,
+      behind = e.behind, run = run }
+  end
   for i, r in ipairs(found) do
     out[i] = { name = e.name, family = e.family or e.c.method, group = e.group, real = real, kind = kind,
       setting = r.setting, error = r.error, about = r.seconds, entry = e, drift = g.drift(r.what) }
   end
   return out
-end
-
-local function closed_row(g, e)
-  local plugin = e.unit.plugin
-  if plugin:solve(g.x0) ~= 0 then return nil end
-  local states = {}
-  for i, t in ipairs(g.times) do states[i] = plugin:at(t) end
-  return { name = e.name, family = "exact", group = e.group, real = e.c.real, kind = "none", entry = e,
-    about = 1e-5, error = err.of(g.job, states, g.reference), drift = g.drift(states) }
 end
 
 -- All rows without their times: list, peers -> rows in the order of the list.
@@ -225,33 +227,14 @@ local function ladders(g, list, peers, tick)
       return least
     end
   end
-  local function integrate(e, kind)
-    return function(setting)
-      return e.unit.plugin:integrate(g.x0, nil, kind == "step" and setting or { setting }, g.times, 0, e.c.method)
-    end
-  end
-  local count = 0
-  local function passed(e)
-    count = count + 1
-    tick(e.name, 0.45 + 0.1 * count / (#list + #peers))
-  end
-  local turns = { {}, {} } -- series first: what falls far behind them is cut short
+  local count, turns = 0, { {}, {}, peers } -- series first: what falls far behind them is cut short
   for _, e in ipairs(list) do table.insert(turns[e.c.order and 1 or 2], e) end
   for _, turn in ipairs(turns) do
     for _, e in ipairs(turn) do
-      passed(e)
-      if e.c.setting == "none" then
-        done(e, { closed_row(g, e) })
-      else
-        done(e, climb(g, e, e.c.setting, integrate(e, e.c.setting), best_of(e)))
-      end
+      count = count + 1
+      tick(e.name, 0.45 + 0.1 * count / (#list + #peers))
+      done(e, climb(g, e, best_of(e)))
     end
-  end
-  for _, e in ipairs(peers) do
-    passed(e)
-    done(e, climb(g, e, e.setting, function(setting)
-      return e.plugin:peer(e.name, setting, g.x0, g.times, nil, patience)
-    end, best_of(e)))
   end
   local rows = {}
   for _, part in ipairs { list, peers } do
@@ -369,6 +352,7 @@ function study.of(host, job, given, tick)
   local ok
   ok, why = load_units(host, job, wanted, refused)
   if not ok then return nil, why end
+  g.remarks = refused
   for i = #list, 1, -1 do
     if not list[i].unit.plugin then table.remove(list, i) end
   end

@@ -1,6 +1,6 @@
 -- happenings.lua -- what can befall a motion, in words: each command says it so (docs/happenings.md).
 --
--- The library knows no words of these: it has statuses (src/runtime/status.c), which run/engines.lua passes on.
+-- The library knows no words of these: it has statuses (src/runtime/status.c), which motion.lua passes on.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local happenings = {
@@ -10,6 +10,7 @@ local happenings = {
   no_point = "the body touches the plane in no single point",
   no_body = "I + D(t) is no body's tensor: a principal moment is more than the other two together",
   infinite = "the state is not finite",
+  no_steps = "no steps lead on",
   long_step = "the step is too long: |q| is not 1",
 }
 
@@ -21,6 +22,11 @@ happenings.members = { "ok", "accuracy missed", happenings.infinite, happenings.
 -- The words with a time, as text: "contact is lost at t = 0.5 s: the plane would have to pull".
 function happenings.at(said, t)
   return (string.gsub(said, "^[^:]*", function(what) return what .. " at t = " .. t .. " s" end))
+end
+
+-- A failure of a motion (motion.lua) as messages have it.
+function happenings.said(failure)
+  return (failure.t and string.format("at t = %.6g s: ", failure.t) or "") .. failure.text
 end
 
 return happenings

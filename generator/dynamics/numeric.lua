@@ -81,6 +81,23 @@ function numeric.part(job, full, offset)
   return vec.map((numeric.positions(job)), function(k) return full[(offset or 0) + k] end)
 end
 
+-- The library's scene `s` of the job from the state x on.
+function numeric.from(s, job, x)
+  local own, full = {}, numeric.whole(job, x)
+  for k, v in pairs(s) do own[k] = v end -- a copy: order is lost anyway
+  local after = job.model.has.position and 13 or 7
+  own.q, own.w = { table.unpack(full, 1, 4) }, { table.unpack(full, 5, 7) }
+  if after > 7 then own.r, own.v = { table.unpack(full, 8, 10) }, { table.unpack(full, 11, 13) } end
+  own.own = { table.unpack(full, after + 1) }
+  return own
+end
+
+-- A double that the real type holds exactly.
+function numeric.narrow(x, real)
+  if real == "float" then return string.unpack("f", string.pack("f", x)) end
+  return x
+end
+
 -- The scene's initial state as doubles, parameters at their defaults.
 function numeric.initial(job)
   return vec.map(job.states, function(s) return job.model:double(s.initial) end)

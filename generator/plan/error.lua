@@ -18,10 +18,10 @@ function err.times(T)
   return list
 end
 
--- Rows {t, x...} as plugin:integrate gives them, without the time.
-function err.states(rows)
+-- The states of a motion (dynamics/motion.lua) without their times.
+function err.states(list)
   local out = {}
-  for i, row in ipairs(rows) do out[i] = { table.unpack(row, 2) } end
+  for i, s in ipairs(list) do out[i] = s.x end
   return out
 end
 

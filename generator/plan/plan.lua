@@ -301,7 +301,7 @@ function plan.stiff(q)
   local follows
   for _, c in ipairs(q.plugin:info().steppers) do follows = follows or c.name == "adaptive" end
   if not follows then return nil end
-  return stiffness.of(q.plugin, states.points(q.job, q.real, 1)[1], q.job.model:double(q.job.model.horizon),
+  return stiffness.of(q.job, q.plugin, states.points(q.job, q.real, 1)[1], q.job.model:double(q.job.model.horizon),
     epsilon[q.real])
 end
 

@@ -4,6 +4,8 @@
 -- twice, and the difference of the two runs says how far either can be from the truth.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local happenings = require "generator.dynamics.happenings"
+local motion = require "generator.dynamics.motion"
 local numeric = require "generator.dynamics.numeric"
 local switching = require "generator.dynamics.switching"
 local err = require "generator.plan.error"
@@ -20,20 +22,6 @@ local most = 5000
 local cornered = { method = "rk8pd", tolerances = { { 1e-16, 1e-15 }, { 1e-14, 1e-13 } }, most = 1000000 }
 local rounding = 2.0 ^ -53
 
--- The library's scene `s` of the job from the state x0 on.
-function reference.from(s, job, x0)
-  local own, full = {}, numeric.whole(job, x0)
-  for k, v in pairs(s) do own[k] = v end -- a copy: order is lost anyway
-  local after = job.model.has.position and 13 or 7
-  own.q, own.w = { table.unpack(full, 1, 4) }, { table.unpack(full, 5, 7) }
-  if after > 7 then own.r, own.v = { table.unpack(full, 8, 10) }, { table.unpack(full, 11, 13) } end
-  own.own = { table.unpack(full, after + 1) }
-  return own
-end
-
--- The library's scene for the state x0; values, lines: those of numeric.scene.
-function reference.scene(job, x0, values, lines) return reference.from(numeric.scene(job, values, lines), job, x0) end
-
 -- What computes the true motions of a scene; it remembers at which tolerances the library got there.
 function reference.new(host, job)
   local way = switching.of(job.equations) and cornered or { method = "taylor", tolerances = tolerances, most = most }
@@ -45,13 +33,12 @@ end
 -- input: the values that inputs are held at (nil: none).
 function reference:motion(x0, times, values, quick, input)
   local host, job, way = self.host, self.job, self.way
-  local s = reference.scene(job, x0, values)
+  local s = numeric.from(numeric.scene(job, values), job, x0)
   local function run(method, tolerance)
-    local rows, why = host.run(s, { method = method, tol = tolerance, times = times, most = way.most, u = input })
-    if not rows then return nil, why end
-    local out = {}
-    for i, row in ipairs(rows) do out[i] = numeric.part(job, row, 1) end
-    return out
+    local list, failure = motion.library(host, job, s, { method = method, tolerance = tolerance, most = way.most,
+      course = input }).solve(times, {})
+    if not list then return nil, happenings.said(failure) end
+    return err.states(list)
   end
   local free = #s.effects == 0 and job.model.has.rates and not job.model.has.position
   local rows, other, why

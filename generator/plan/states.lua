@@ -17,11 +17,7 @@ local states = {}
 
 local default_part, default_angle = 0.1, R.new(1, 10)
 
--- A double that the real type holds exactly.
-local function narrow(x, real)
-  if real == "float" then return string.unpack("f", string.pack("f", x)) end
-  return x
-end
+local narrow = numeric.narrow
 
 -- The limits {label, unit, low, high} of all inputs, doubles; nil where one has none, or there is no input.
 function states.limits(job)

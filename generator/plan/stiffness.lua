@@ -6,6 +6,7 @@
 -- - r less r tells a decay (r) from an oscillation (0.41 r).
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
+local motion = require "generator.dynamics.motion"
 local rates = require "generator.plan.rates"
 local states = require "generator.plan.states"
 
@@ -73,22 +74,22 @@ end
 
 -- Of the motion from point: {rate = the fastest decay, 1/s, decays = the integral of the rate over the horizon T}; nil
 -- if it is not stiff.  plugin: its emitted code, with `adaptive`.
-function stiffness.of(plugin, point, T, epsilon)
-  local x, fastest, decays, t = point.x, 0.0, 0.0, 0.0
-  local function f(y) return plugin:rhs(t, y, point.input) end
+function stiffness.of(job, plugin, point, T, epsilon)
+  local fastest, decays, at = 0.0, 0.0, { t = 0.0, x = point.x }
+  -- what needs more steps than `most` is stiff by what was seen
+  local m = motion.emitted(job, plugin, { method = "adaptive", x = point.x, course = point.input, most = most,
+    tolerance = math.max(tolerance, 16 * epsilon) })
+  local function f(y) return plugin:rhs(at.t, y, point.input) end
   for k = 0, samples - 1 do
-    local r = stiffness.rate(f, x, epsilon)
+    local r = stiffness.rate(f, at.x, epsilon)
     fastest, decays = math.max(fastest, r), decays + r * T / samples
     local next_t = T * (k + 1) / samples
-    -- what needs more steps than `most` is stiff by what was seen
-    local h = { math.max(tolerance, 16 * epsilon), most }
-    local rows = plugin:integrate(x, point.input, h, { next_t }, t, "adaptive")
-    if not rows then
+    at = motion.to(m, next_t, { from = at })
+    if not at then
       local left = T - next_t
       if fastest * left > enough then decays = decays + fastest * left end
       break
     end
-    x, t = { table.unpack(rows[1], 2) }, next_t
   end
   return decays > enough and { rate = fastest, decays = decays } or nil
 end

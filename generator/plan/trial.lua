@@ -6,6 +6,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local err = require "generator.plan.error"
+local motion = require "generator.dynamics.motion"
 local reference = require "generator.plan.reference"
 
 local trial = {}
@@ -41,6 +42,11 @@ function trial:briefly(span)
     sure = self.sure }
 end
 
+local function with_last(rows, last)
+  rows[#rows + 1] = last or rows[#rows]
+  return rows
+end
+
 -- Rows of the motion from the point's state: states at the 40 times and last at T in one run, and the steps of that.
 function trial:run(c, setting, point)
   local plugin, x, T = (c.made or self.apart and self.apart[c.method] or self).plugin, point.x, self.T
@@ -49,41 +55,22 @@ function trial:run(c, setting, point)
     if refusal then return nil, "NAME_init refuses these parameters: " .. refusal end
     self.moved[plugin] = point.params ~= nil
   end
-  if c.setting == "none" then
-    if plugin:solve(x) ~= 0 then return nil end
-    local rows = {}
-    for i, t in ipairs(self.times) do rows[i] = plugin:at(t) end
-    rows[#rows + 1] = rows[#rows]
-    return rows, 1
+  local m = motion.emitted(self.job, plugin, { x = x, method = called(c), course = point.input, [c.setting] = setting })
+  local whole, steps, list, first
+  -- else the steps between the 40 times are as long as the others
+  if m and (c.setting == "tolerance" or c.setting == "step" and setting > T / 1600) then
+    whole, steps = m.solve({ T }, {})
+    m = whole and m
   end
-  -- integrate takes a step as a number, a tolerance as {number}
-  local h = c.setting == "tolerance" and { setting } or setting
-  local name = called(c)
-  local whole, steps
-  if c.setting == "tolerance" or h > T / 1600 then -- else the steps between the 40 times are as long as the others
-    whole, steps = plugin:integrate(x, point.input, h, { T }, 0, name)
-    if not whole then return nil end
-  end
-  local rows
+  if not m then return nil end
   if c.setting == "tolerance" and c.method == "taylor" then
-    local first, later = self.times[1], { table.unpack(self.times, 2) }
-    rows = plugin:integrate(x, point.input, { setting * first / T }, { first }, 0, name)
-    local rest = rows and plugin:integrate({ table.unpack(rows[1], 2) }, point.input,
-      { setting / #self.times * 0.1 }, later, first, name)
-    if not rest then return nil end
-    table.move(rest, 1, #rest, 2, rows)
+    first = motion.to(m, self.times[1], { tolerance = setting * self.times[1] / T })
+    list = first and m.solve({ table.unpack(self.times, 2) }, { from = first, tolerance = setting / #self.times * 0.1 })
+    if list then table.insert(list, 1, first) end
   else
-    rows = plugin:integrate(x, point.input, h, self.times, 0, name)
-    if not rows then return nil end
+    list = m.solve(self.times, {})
   end
-  rows = err.states(rows)
-  rows[#rows + 1] = whole and { table.unpack(whole[1], 2) } or rows[#rows]
-  return rows, steps
-end
-
-local function with_last(rows)
-  rows[#rows + 1] = rows[#rows]
-  return rows
+  return list and with_last(err.states(list), whole and whole[1].x), steps or 1
 end
 
 -- The true rows of a point, made once; nil and why.

@@ -102,6 +102,12 @@ local v = last(csv)
 -- from slipping to rolling: v = 5/7 v0 + 2/7 R w, and the spin about the normal stays
 tap.ok(math.abs(v[15] - (5 / 7 * 2 + 2 / 7 * 0.03 * -30)) < 1e-9, "v1 is that of pure rolling")
 tap.ok(math.abs(v[16] - 2 / 7 * 0.03 * -25) < 1e-9, "v2, too")
+local lands
+code, lands, log = run(ball("coulomb = 0.2, smoothing = e", "2, 0, 0", "25, -30, 40", ", impact = { restitution = 0 }")
+  :gsub("effects = {", "%0 effect.translation { gravity = 9.81 },"):gsub("velocity", "position = { 0, 0, 0.031 }, %0"),
+  "--set e=1e-5")
+tap.ok(code == 0 and event(lands, "landing"), "a ball that lands with it, too")
+tap.like(log, "went on by implicit", "says the same")
 code, csv = run(ball("coulomb = 0.2, smoothing = e", "2, 0, 0", "25, -30, 40"), "--set e=1e-5 --method implicit")
 tap.is(code, 0, "the implicit method by its name")
 local again = last(csv)

@@ -27,7 +27,6 @@ local build = require "generator.commands.build"
 local driver = require "generator.driver"
 local drawn = require "generator.commands.drawn"
 local numeric = require "generator.dynamics.numeric"
-local reference = require "generator.plan.reference"
 local stepper_checks = require "generator.commands.stepper_checks"
 
 local text
@@ -60,7 +59,8 @@ local function steppers(cell, job, plugin)
         if s.kind ~= "attitude" and s.kind ~= "rates" then x[i] = x0[i] end -- a clock starts at 0
       end
     end
-    local rows, why = host.run(reference.scene(job, x), { method = "adaptive", times = { SPAN }, tol = 1e-13 })
+    local from = numeric.from(numeric.scene(job), job, x)
+    local rows, why = host.run(from, { method = "adaptive", times = { SPAN }, tol = 1e-13 })
     if not rows then return report(cell, "library", "fails", why) end
     runs[n] = { x = x, want = numeric.part(job, rows[1], 1) }
   end

@@ -71,7 +71,7 @@ tap.is(err.of(top, { { 1, 0, 0, 0, 3e300, 4e300, 0 } }, { { 1, 0, 0, 0, 0, 0, 0 
 _, parts = err.of(top, { { 1, 0, 0, 0, 1e-300, 0, 0 } }, { { 1, 0, 0, 0, 2e-300, 0, 0 } })
 tap.is(parts.rates, 0.5, "nor vanish")
 
-local rows = err.states { { 0.5, 1, 2 }, { 1.0, 3, 4 } }
+local rows = err.states { { t = 0.5, x = { 1, 2 } }, { t = 1.0, x = { 3, 4 } } }
 tap.is(table.concat(rows[1], " ") .. ", " .. table.concat(rows[2], " "), "1 2, 3 4", "rows without their time")
 
 tap.done()

@@ -120,8 +120,7 @@ local function difference(job, motions, names, finish, step)
   for n = 1, 2 do
     local rows, failure = motions[n].solve(ts, {})
     if not rows then return nil, failure end
-    states[n] = {}
-    for i, row in ipairs(rows) do states[n][i] = row.x end
+    states[n] = err.states(rows)
   end
   local groups, curves = err.groups(job), {}
   local scales = err.scales(groups, states[2])

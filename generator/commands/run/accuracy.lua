@@ -52,8 +52,8 @@ end
 -- body at rest, held by torques that cancel).  So rates have at least the one that turns the body by a millionth of a
 -- rad in the run, a position a billionth of the way that the velocity makes, and a velocity that of the position.
 local function sizes(s, rows)
-  local states = { numeric.initial(s.job) }
-  for _, row in ipairs(rows) do states[#states + 1] = row.x end
+  local states = err.states(rows)
+  states[#states + 1] = numeric.initial(s.job)
   local scales, of = err.scales(s.groups, states), {}
   for n, g in ipairs(s.groups) do of[g.name] = scales[n] end
   for n, g in ipairs(s.groups) do

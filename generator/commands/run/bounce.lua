@@ -12,6 +12,7 @@ local vec = require "generator.algebra.vec"
 local engines = require "generator.commands.run.engines"
 local driver = require "generator.driver"
 local happenings = require "generator.dynamics.happenings"
+local motion = require "generator.dynamics.motion"
 local numeric = require "generator.dynamics.numeric"
 
 local bounce = {}
@@ -73,15 +74,15 @@ local function narrowed(phase, value, a, b, ga, gb, o)
     local t = a.t + (b.t - a.t) * (ga / (ga - gb))
     if not (t > a.t and t < b.t) then t = a.t + (b.t - a.t) / 2 end
     if t <= a.t or t >= b.t then break end
-    local list, why = phase.solve({ t }, { from = a, step = o.step, tolerance = o.tolerance })
-    if not list then return nil, why end
-    local g = value(list[1])
+    local c, why = motion.to(phase, t, { from = a, step = o.step, tolerance = o.tolerance })
+    if not c then return nil, why end
+    local g = value(c)
     if g > 0 then
-      a, ga = list[1], g
+      a, ga = c, g
       if side == 1 then gb = gb / 2 end -- Illinois: the end that stays counts half
       side = 1
     else
-      b, gb = list[1], g
+      b, gb = c, g
       if side == -1 then ga = ga / 2 end
       side = -1
       if g == 0 then break end
@@ -93,9 +94,9 @@ end
 -- The first state after a, at most dt later, at which the value is positive, and that step; a where there is none.
 local function risen(phase, value, a, dt, o)
   while a.t + dt > a.t do
-    local list, why = phase.solve({ a.t + dt }, { from = a, step = o.step, tolerance = o.tolerance })
-    if not list then return nil, why end
-    if value(list[1]) > 0 then return list[1], dt end
+    local b, why = motion.to(phase, a.t + dt, { from = a, step = o.step, tolerance = o.tolerance })
+    if not b then return nil, why end
+    if value(b) > 0 then return b, dt end
     dt = dt / 4
   end
   return a, dt
@@ -275,23 +276,27 @@ function composed(host, contact, flight, given, course, engine)
   self.rolls = a.law == "rolling"
   self.law = { m:double(a.impact.restitution), a.impact.friction and m:double(a.impact.friction) or math.huge,
     a.impact.tangential and m:double(a.impact.tangential) or 0.0 }
-  local motion = {}
-  for k, v in pairs(on_plane) do motion[k] = v end -- a copy: order is lost anyway
-  motion.closed, motion.exact, motion.judge, motion.ground = false, false, nil, contact
-  motion.twin = on_plane.double and function()
+  local way = {}
+  for k, v in pairs(on_plane) do way[k] = v end -- a copy: order is lost anyway
+  way.closed, way.exact, way.judge, way.ground = false, false, nil, contact
+  way.twin = on_plane.double and function()
     return (composed(host, contact, flight, on_plane.double, course, engine))
   end
-  function motion.solve(times, o) return self:solve(times, o) end
-  function motion.measured(s) return (s.on and on_plane or in_air).measured(s.inner) end
+  function way.solve(times, o)
+    local list, failure = self:solve(times, o)
+    way.stiff = on_plane.stiff or in_air.stiff
+    return list, failure
+  end
+  function way.measured(s) return (s.on and on_plane or in_air).measured(s.inner) end
   -- What happened up to a time: a list of {name, t}; those of the longest step.
-  function motion.phases(to)
+  function way.phases(to)
     local list = {}
     for _, p in ipairs(self:phases(to, {}) or {}) do
       if p.name and p.t <= to then list[#list + 1] = { name = p.name, t = p.t } end
     end
     return list
   end
-  return motion
+  return way
 end
 
 -- The scene whose states a motion has: the phase in the air of a body that flies and lands, and then given.ground is

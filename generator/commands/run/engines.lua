@@ -1,16 +1,12 @@
--- engines.lua -- the two ways to a motion, as one kind of object: by the general library or by the emitted code.
+-- engines.lua -- the motion that a command line asks for: by the general library or by the emitted code.
 --
--- A motion has `method`; `step`, the fixed step it goes by, or nil; `order`, the method's; `longest`, the most steps
--- that it does (`between`: of two rows, else of the whole run); `quick`, steps that take less than a second;
--- `adaptive`, that it could choose its steps; `closed`, that it takes none; `exact`, that the scene has a closed form;
--- `epsilon` of its numbers; `emitted`, that it is generated code; `tolerance` by which it chooses its steps, or nil,
--- and `least`, the smallest; `stiff`, that what was had of it turned to an implicit method; and
---     motion.solve(times, o)   a list of {t =, x = state as the scene has it, ...}, all numbers finite; or nil and a
---                              failure {status =, text =, t = the time at which it went wrong}.  o: {step = another
---                              step, tolerance = another, from = one of these states, to start there}
---     motion.twin()            of a motion in float: the same in double, or nil
---     motion.judge()           of generated code: the library's motion, near rounding, or nil
---     motion.measured(state)   its energy and L, or nil and a failure
+-- It is one of dynamics/motion.lua and has also `method`; `step`, the fixed step it goes by, or nil; `order`, the
+-- method's; `longest`, the most steps that it does (`between`: of two rows, else of the whole run); `quick`, steps that
+-- take less than a second; `adaptive`, that it could choose its steps; `closed`, that it takes none; `exact`, that the
+-- scene has a closed form; `epsilon` of its numbers; `emitted`, that it is generated code; `tolerance` by which it
+-- chooses its steps, or nil, and `least`, the smallest; and
+--     twin()    of a motion in float: the same in double, or nil
+--     judge()   of generated code: the library's motion, near rounding, or nil
 -- What cannot be run is answered by nil and {status =, text =}, {command = true, text =} where the command line is
 -- wrong, {diag =} where diagnostics say it.  scene: what was read; course: the inputs over time, or nil.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -22,11 +18,10 @@ local breaks = require "generator.dynamics.breaks"
 local driver = require "generator.driver"
 local equations = require "generator.dynamics.equations"
 local gen = require "generator.commands.gen"
-local happenings = require "generator.dynamics.happenings"
 local limits = require "generator.commands.run.limits"
 local methods = require "generator.methods.methods"
+local motion = require "generator.dynamics.motion"
 local numeric = require "generator.dynamics.numeric"
-local reference = require "generator.plan.reference"
 
 local engines = {}
 
@@ -40,109 +35,13 @@ local function no_method(engine, method, list)
       options.meant(method, list))
 end
 
-local function finite(list)
-  for _, x in ipairs(list) do
-    if x ~= x or x == math.huge or x == -math.huge then return false end
-  end
-  return true
-end
-
-local function failed(t, text) return nil, { status = 3, t = t, text = text } end
-
 -- ---- the emitted code ----
-
--- Where the steps that follow a tolerance end, between a time that is reached and one that is not.
-local function last_reached(plugin, method, x, from, t, course, tolerance)
-  for _ = 1, 40 do
-    local middle = from + (t - from) / 2
-    if middle == from or middle == t then break end
-    local rows = plugin:integrate(x, course, { tolerance }, { middle }, from, method)
-    if rows then x, from = { table.unpack(rows[1], 2) }, middle else t = middle end
-  end
-  return t
-end
-
--- The times and the corners of tables between them, where fixed steps shall end too: over a corner a step has no order.
--- Second result: which of them were asked for.
-local function with_corners(times, corners, from)
-  local all, asked, c = {}, {}, 1
-  for _, t in ipairs(times) do
-    while corners[c] and corners[c] < t do
-      if corners[c] > from then all[#all + 1] = corners[c] end
-      c = c + 1
-    end
-    all[#all + 1] = t
-    asked[#all] = true
-    while corners[c] and corners[c] <= t do c = c + 1 end
-    from = math.max(from, t)
-  end
-  return all, asked
-end
 
 -- The knots of the scene's tables, for its own parameters, in their order.
 local function corners_of(scene)
   local list = {}
   for i, k in ipairs(breaks.knots(equations.fork(scene.equations))) do list[i] = R.todouble(k.value) end
   return list
-end
-
--- The places of q among the states.
-local function attitude_of(job)
-  local places = {}
-  for i, s in ipairs(job.states) do places[#places + 1] = s.kind == "attitude" and i or nil end
-  return places
-end
-
--- The first time at which |q| is not 1 to some per cent: a step with an h |w| beyond what the method can do
--- loses it.  As templates/sweep/members.c has it.
-local function shortened(rows, places)
-  for _, row in ipairs(#places == 4 and rows or {}) do
-    local square = 0.0
-    for _, i in ipairs(places) do square = square + row[i + 1] ^ 2 end
-    if not (square >= 0.9 and square <= 1.1) then return row[1] end
-  end
-  return nil
-end
-
-local function stepped(plugin, method, x0, course, usual, step, corners, places)
-  return function(asked, o)
-    local h, tolerance = o.step or step, o.tolerance or usual
-    local from = o.from or { t = 0.0, x = x0 }
-    local times, wanted = asked, nil
-    if h and #corners > 0 then times, wanted = with_corners(asked, corners, from.t) end
-    local rows, last, infinite = plugin:integrate(from.x, course, h or { tolerance }, times, from.t, method)
-    if not rows then
-      local reached, next_time = from, nil
-      for i, t in ipairs(times) do
-        if (times[i - 1] or from.t) == last then next_time = next_time or t end
-      end
-      if last ~= from.t then
-        local row = plugin:integrate(from.x, course, { tolerance }, { last }, from.t, method)
-        if row then reached = { t = last, x = { table.unpack(row[1], 2) } } end
-      end
-      local t = last_reached(plugin, method, reached.x, reached.t, next_time or times[#times], course, tolerance)
-      return failed(t, "no steps lead on")
-    end
-    if infinite then return failed(infinite, happenings.infinite) end
-    local long = shortened(rows, places)
-    if long then return failed(long, happenings.long_step) end
-    local list = {}
-    for i, row in ipairs(rows) do
-      if not wanted or wanted[i] then list[#list + 1] = { t = row[1], x = { table.unpack(row, 2) } } end
-    end
-    return list
-  end
-end
-
-local function closed(plugin)
-  return function(times)
-    local rows = {}
-    for i, t in ipairs(times) do
-      rows[i] = { t = t, x = plugin:at(t) }
-      if not finite(rows[i].x) then return failed(t, happenings.infinite) end
-    end
-    return rows
-  end
 end
 
 function engines.generated(host, scene, given, course)
@@ -172,35 +71,23 @@ function engines.generated(host, scene, given, course)
   if not plugin then return nil, { status = kind == "range" and 3 or 2, text = why } end
   local refusal = build.refusal(job, plugin)
   if refusal then return nil, { status = 3, text = refusal } end
-  local x0 = numeric.initial(job)
   local real = given.real or "double"
-  local motion = { method = method, order = m and (m.order or order or m.own_order[real]), longest = limits.emitted,
-    quick = 300000, epsilon = limits.tolerances[real][1], adaptive = m and m.adaptive or false, exact = exact,
-    emitted = true, least = limits.tolerances[real][1] }
-  if method == "exact" then
-    if plugin:solve(x0) ~= 0 then return nil, { status = 3, text = "the closed form refuses the initial state" } end
-    motion.solve, motion.closed = closed(plugin), true
-  else
-    if not (m.adaptive and not given.step) then motion.step = given.step or job.model:double(job.model.step) end
-    local tolerance = given.tolerance or limits.usual[real]
-    motion.tolerance = not motion.step and tolerance or nil
-    motion.solve = stepped(plugin, method, x0, course, tolerance, motion.step, corners_of(scene), attitude_of(job))
-  end
-  function motion.measured(state)
-    local energy, L = plugin:energy(state.x), job.model.has.attitude and plugin:momentum(state.x) or {}
-    if not finite { energy } then return failed(state.t, "the energy is not finite") end
-    if not finite(L) then return failed(state.t, "the angular momentum is not finite") end
-    return energy, L
-  end
-  function motion.judge() return (engines.general(host, scene, {}, course)) end
+  local step = m and (given.step or not m.adaptive and job.model:double(job.model.step)) or nil
+  local tolerance = not step and (given.tolerance or limits.usual[real]) or nil
+  local way, failure = motion.emitted(job, plugin, { method = method, step = step, tolerance = tolerance,
+    course = course, corners = corners_of(scene), dated = true, order = m and (m.order or order or m.own_order[real]),
+    longest = limits.emitted, quick = 300000, emitted = true, exact = exact, closed = not m,
+    epsilon = limits.tolerances[real][1], least = limits.tolerances[real][1], adaptive = m and m.adaptive or false })
+  if not way then return nil, failure end
+  function way.judge() return (engines.general(host, scene, {}, course)) end
   if real == "float" then
-    motion.double = {}
-    for k, v in pairs(given) do motion.double[k] = v end -- a copy: order is lost anyway
-    motion.double.real, motion.double.method = "double", method
-    motion.double.order = method == "taylor" and motion.order or nil
-    function motion.twin() return (engines.generated(host, scene, motion.double, course)) end
+    way.double = {}
+    for k, v in pairs(given) do way.double[k] = v end -- a copy: order is lost anyway
+    way.double.real, way.double.method = "double", method
+    way.double.order = method == "taylor" and way.order or nil
+    function way.twin() return (engines.generated(host, scene, way.double, course)) end
   end
-  return motion
+  return way
 end
 
 -- ---- the general library ----
@@ -228,27 +115,12 @@ function engines.general(host, job, given, course)
   if closed_form and #scene.effects > 0 then
     return refused("--engine general --method " .. method .. " solves free tops, and this scene has effects")
   end
-  local motion = { method = method, order = orders[method], longest = limits.library, between = true,
-    quick = 20000, epsilon = 2.0 ^ -52, closed = closed_form, adaptive = adaptive, exact = job.closed.full }
-  motion.least = limits.tolerances.general[1]
-  if not closed_form then motion.step = given.step or fixed and job.model:double(job.model.step) or nil end
-  motion.tolerance = not motion.step and (given.tolerance or tolerances[method]) or nil
-  function motion.solve(times, o)
-    local rows, why, kind, t = host.run(o.from and reference.from(scene, job, o.from.x) or scene, {
-      method = method, step = o.step or motion.step, tol = o.tolerance or motion.tolerance, times = times, u = course,
-      seen = given.seen, t0 = o.from and o.from.t or 0.0 })
-    if not rows then
-      return nil, { status = kind == "numbers" and 3 or 2, t = t, text = string.gsub(why, "^at t = %S+ s: ", "") }
-    end
-    motion.stiff = motion.stiff or method ~= "implicit" and why > 0
-    for i, row in ipairs(rows) do
-      local n = #row - 4
-      rows[i] = { t = row[1], x = numeric.part(job, row, 1), energy = row[n + 1], L = { table.unpack(row, n + 2) } }
-    end
-    return rows
-  end
-  function motion.measured(state) return state.energy, state.L end
-  return motion
+  local step = not closed_form and (given.step or fixed and job.model:double(job.model.step)) or nil
+  local tolerance = not step and (given.tolerance or tolerances[method]) or nil
+  return motion.library(host, job, scene, { method = method, step = step, tolerance = tolerance, course = course,
+    seen = given.seen, order = orders[method], longest = limits.library, between = true, quick = 20000,
+    exact = job.closed.full, closed = closed_form, epsilon = 2.0 ^ -52, least = limits.tolerances.general[1],
+    adaptive = adaptive })
 end
 
 return engines
