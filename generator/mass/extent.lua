@@ -3,8 +3,8 @@
 --     extent.of(m, name, low, high) -> low, high
 -- m: a model (dynamics/model.lua); doubles around the parameter's default.  The result is the largest interval around
 -- it, within the one that is asked for, in which every condition of the model holds.  A condition that is a polynomial
--- in the parameter ends it at its nearest root; another one, with a sine or a root in it, is looked at in `scans` places
--- to each side, and its end is found by bisection.
+-- in the parameter ends it at its nearest root; another one, with a sine or a root in it, is looked at in `scans`
+-- places to each side, and its end is found by bisection.
 -- At an end of its own the body has ceased: a condition is 0 there.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
