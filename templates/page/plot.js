@@ -25,6 +25,7 @@ const shown = (x) => {
 
 // A power of ten or of a unit as people write it: 1.5e-7, m/s^2.
 const raised = (text) => [...String(Number(text))].map((c) => RAISED[c]).join("");
+const times10 = (n) => " · 10" + raised(n);
 const unitOf = (text) => text.replace(/\^(-?\d+)/g, (_, n) => raised(n));
 
 // Ten digits, as many whatever the number, so that a column of them stands still.
@@ -52,17 +53,18 @@ function drawCurves(svg, times, curves, label, title, noise = NOISE) {
   const margin = flat ? size*0.1 || 1 : (high - low)*0.06;
   low -= margin;
   high += margin;
+  const ten = size > 0 && (size < 1e-2 || size >= 1e5) ? Math.floor(Math.log10(size)) : 0; // for room at the axis
   const end = times[times.length - 1] || 1;
   const x = (t) => LEFT + (W - LEFT - RIGHT)*t/end, y = (v) => H - BOTTOM - (H - TOP - BOTTOM)*(v - low)/(high - low);
   for (const v of ticks(low, high, 4)) {
     svg.append(element("line", { class: "grid", x1: LEFT, x2: W - RIGHT, y1: y(v), y2: y(v) }));
-    svg.append(element("text", { class: "end", x: LEFT - 5, y: y(v) + 4 }, shown(v)));
+    svg.append(element("text", { class: "end", x: LEFT - 5, y: y(v) + 4 }, shown(v/10**ten)));
   }
   for (const t of ticks(0, end, 5))
     svg.append(element("text", { class: "middle", x: x(t), y: H - BOTTOM + 16 }, shown(t)));
   svg.append(element("text", { class: "middle", x: (LEFT + W - RIGHT)/2, y: H - 4 }, "t / s"));
   const up = "translate(12 " + (TOP + H - BOTTOM)/2 + ") rotate(-90)";
-  svg.append(element("text", { class: "middle", transform: up }, label));
+  svg.append(element("text", { class: "middle", transform: up }, label + (ten ? times10(-ten) : "")));
   const ends = [];
   for (const c of curves) {
     let d = "", open = false;
@@ -95,7 +97,7 @@ function plotsOf(m, places, real) {
   const drift = spread > noise*size && spread < 1e-3*size, ten = drift ? Math.floor(Math.log10(spread/size)) : 0;
   const energy = drawCurves($("energy"), t, [{ name: "E", css: "e", values: m.samples.map((s) =>
     drift ? (s.energy - first)/size/Math.pow(10, ten) : s.energy) }],
-  drift ? "(E − E₀)/E₀" + (ten ? " · 10^" + (-ten) : "") : "E / J",
+  drift ? "(E − E₀)/E₀" + (ten ? times10(-ten) : "") : "E / J",
   drift ? "Relative drift of the energy over time" : "Energy over time", noise);
   const touches = m.samples[0].touch, reaction = touches && drawCurves($("reaction"), t, [{ name: "N", css: "e",
     values: m.samples.map((s) => s.touch.N) }], "N / N", "Normal force of the plane over time");

@@ -82,14 +82,16 @@ const headOf = () => turnedOf([1, 0], [0, 1], true);
 
 const BESIDE = 0.03; // of the body's size: what is so near to an axis would be hidden by an arrow along it
 
-// How far a body reaches along its axis k, near to that axis.
+// How far a body lies along its axis k, to both sides, near to that axis.
 function reachOf(body, k) {
-  let most = 0;
+  let low = 0, high = 0;
   for (const list of [body.faces, body.lines, body.points])
     for (let i = 0; i < list.length; i += 3)
-      if (Math.hypot(list[i + (k + 1) % 3], list[i + (k + 2) % 3]) < BESIDE*body.size)
-        most = Math.max(most, list[i + k]);
-  return most;
+      if (Math.hypot(list[i + (k + 1) % 3], list[i + (k + 2) % 3]) < BESIDE*body.size) {
+        low = Math.max(low, -list[i + k]);
+        high = Math.max(high, list[i + k]);
+      }
+  return [low/body.size, high/body.size];
 }
 
 // What is drawn of a body: {faces, holes, lines, points, size = the farthest of it from the origin, reach = how far it
@@ -109,7 +111,7 @@ function bodyOf(drawing, values, own, code) {
     body.ellipsoid = { axes: s.map((x) => Math.sqrt(Math.max(5*x/m.mass, 1e-12))), frame: principal };
     body.size = Math.max(...body.ellipsoid.axes);
   }
-  body.reach = [0, 1, 2].map((k) => reachOf(body, k)/body.size);
+  body.reach = [0, 1, 2].map((k) => reachOf(body, k));
   body.faces = surfaceOf(body.faces, body.size);
   body.holes = surfaceOf(body.holes, body.size);
   return body;

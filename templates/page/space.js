@@ -13,6 +13,7 @@ const LONGEST = 120; // points of a trail
 
 // Lengths in sizes of the body; the longest ends within the picture from where the camera is at first.
 const AXIS = 1.15, RATE = 1.3, MOMENTUM = 1.45, FAR = 3.8;
+const ALONG = 0.97; // cosine of what is along an axis
 // Radii of a shaft and a head, and the head's length: a rod, drawn five pixels wide, is seen beside a shaft along it.
 const SHAFT = 0.009, HEAD = 0.034, TIP = 0.11;
 
@@ -76,6 +77,12 @@ function spaceOf(canvas, facts) {
     put(head, HEAD*k, neck, size - neck);
   }
 
+  // Where an arrow along v, in body axes, begins: at the end of what lies along it, as a rod does.
+  function beginning(v) {
+    const u = unit(v), k = u.findIndex((c) => Math.abs(c) > ALONG);
+    return k < 0 ? 0 : Math.min(body.reach[k][u[k] > 0 ? 1 : 0], AXIS - TIP);
+  }
+
   // k: how much smaller than alone.
   function drawBody(q, at, alpha, colour, size, k) {
     const s = k/body.size, scale = [s, s, s];
@@ -95,7 +102,7 @@ function spaceOf(canvas, facts) {
     if (!size) return;
     // an axis begins where what lies along it ends, so that a rod is not hidden in its own axis
     [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((v, i) =>
-      pointer(turned(q, v), AXIS*k, size["xyz"[i]], at, k, Math.min(body.reach[i], AXIS - TIP)*k));
+      pointer(turned(q, v), AXIS*k, size["xyz"[i]], at, k, Math.min(body.reach[i][1], AXIS - TIP)*k));
   }
 
   function drawPoinsot(now, c) {
@@ -136,8 +143,9 @@ function spaceOf(canvas, facts) {
     const centre = whole ? ground.centre : touch && touch.com;
     const place = (t) => t ? scaled(scale, added(t.com, scaled(-1, centre))) : HERE;
     if (!whole) drawTrails(now, c);
-    pointer(turned(now.q, now.w), RATE*k, c.rate, place(touch), k);
-    pointer(now.L, MOMENTUM*k, c.ink, place(touch), k);
+    const back = [now.q[0], -now.q[1], -now.q[2], -now.q[3]];
+    pointer(turned(now.q, now.w), RATE*k, c.rate, place(touch), k, beginning(now.w)*k);
+    pointer(now.L, MOMENTUM*k, c.ink, place(touch), k, beginning(turned(back, now.L))*k);
     drawBody(now.q, place(touch), 1, c.body, c, k);
     if (now.second) drawBody(now.second, place(now.other), 0.45, c.second, null, k);
     if (touch) ground.draw(touch, centre, scale, now.index + 1, c);
