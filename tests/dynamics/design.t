@@ -45,6 +45,8 @@ local texts = {
   { "plate.rectangle { x = x, y = y, mass = M }", { "M", "x", "y" }, 3, "always", "always" },
   { "plate.rectangle { x = x, y = y, mass = M }", { "M", "x", "y" }, 1, "x > y", "never" },
   { "plate.polygon { profile = { {0, 0}, {x, 0}, {0, y} }, mass = M }", { "M", "x", "y" }, 3, "always", "always" },
+  { "plate.polygon { profile = { {0, 0}, {x, 0}, {x, y}, {0, y} }, density = rho }", { "rho", "x", "y" }, 1,
+    "(x - y)*(x + y) > 0", "never" }, -- x y > 0 is the mass's
   { "points { {M, x, 0, 0}, {M, -x, 0, 0}, {M, 0, y, 0}, {M, 0, -y, 0} }", { "M", "x", "y" }, 3, "x != 0 and y != 0",
     "x != 0 and y != 0" }, -- with one of them 0 they lie on a line
   { "solid.torus { R = b, r = a, mass = M }", { "M", "a", "b" }, 3, "always", "always" },
@@ -223,17 +225,17 @@ do
   local m = facts.of(job).stability[3].margins_dissipative[1]
   tap.ok(m.name == "a" and m.below == nil and math.abs(m.above - (0.3 * math.sqrt(3) - 0.2)) < 1e-14,
     "a height a + b: above sqrt(3) r it is unstable, below it ends before")
-  -- the moments of a plate with the corners (0, 0), (a, 0), (a, b), (0, b) change their order where a or b is 0, and
-  -- there, too, ends the plate
-  job = scene.read [[local a, b = param("a", 0.3, "m"), param("b", 0.2, "m")
-    return scene { name = "s", body = plate.polygon { profile = { {0, 0}, {a, 0}, {a, b}, {0, b} }, mass = 1 } }]]
+  -- the moments of a block over the corners (0, 0), (a, 0), (a, b), (0, b) change their order where a or b is 0, and
+  -- there, too, it ends
+  job = scene.read [[local a, b, h = param("a", 0.3, "m"), param("b", 0.2, "m"), param("h", 0.15, "m")
+    return scene { name = "s", body = extrude { profile = { {0, 0}, {a, 0}, {a, b}, {0, b} }, h = h, density = 800 } }]]
   local ends = 0
   for _, e in ipairs(facts.of(job).stability) do
     for _, way in ipairs { "margins", "margins_dissipative" } do
       for _, m2 in ipairs(e[way]) do ends = ends + ((m2.below or 1) < 0.1 and 1 or 0) end
     end
   end
-  tap.is(ends, 0, "no margin is where the plate has no area")
+  tap.is(ends, 0, "no margin is where the block has no volume")
 end
 
 ---- the emitted predicate near its boundary ---------------------------------------------------------------
