@@ -21,6 +21,8 @@ local json = require "generator.report.json"
 
 local stability = {}
 
+local words = { [1] = "stable", [0] = "neutral", [-1] = "unstable" }
+
 -- Which axis of mass/stability (1, 2, 3) is the k-th ascending moment of the facts.
 local function matched(f, s)
   local structure, place = f.structure, {}
@@ -134,7 +136,8 @@ local function heavy(f)
   return top, axis
 end
 
--- Extends the entries of f.stability; sets f.design, or f.design_numeric = true when there are only numbers.
+-- Extends the entries of f.stability; sets f.design where there are closed forms, and of a heavy top f.upright, the
+-- verdict of its upright spin in a word.
 function stability.extend(f)
   local m = f.job.model
   local s = mass.of(m)
@@ -148,6 +151,7 @@ function stability.extend(f)
   f.design = s
   local place, signs = matched(f, s), s:signs(at_defaults(m))
   local top, axis = heavy(f)
+  f.upright = top and words[top:here(m)]
   for k, entry in ipairs(f.stability) do
     local n = place[k]
     entry.place, entry.about, entry.by = n, s.axes[n], s
@@ -161,8 +165,6 @@ function stability.extend(f)
     end
   end
 end
-
-local words = { [1] = "stable", [0] = "neutral", [-1] = "unstable" }
 
 local longest = 160 -- characters of a condition in a report
 
@@ -194,7 +196,8 @@ local function top_lines(f, e)
   if top.rate then
     local bound = top:condition(1, false, "unicode")
     if utf8.len(bound) > longest then bound = "|" .. n .. "| > 2 sqrt(I1 M g l)/I3" end
-    lines[#lines + 1] = "  " .. bound .. " = " .. number(top.rate) .. " rad/s (now " .. number(m:double(top.spin)) .. ")"
+    local now = number(m:double(top.spin))
+    lines[#lines + 1] = "  " .. bound .. " = " .. number(top.rate) .. " rad/s (now " .. now .. ")"
   end
   for _, line in ipairs(margin_lines(e.margins, verdict)) do lines[#lines + 1] = line end
   lines[#lines + 1] = "hanging under its point: always stable"
@@ -254,6 +257,7 @@ function stability.json(e)
   put(list, "holds", e.stable and e.stable == 1)
   put(list, "holds_dissipative", e.stable_dissipative and e.stable_dissipative == 1)
   put(list, "verdict_dissipative", words[e.stable_dissipative])
+  put(list, "verdict_upright", e.by and e.by.law and words[e.stable])
   for _, way in ipairs { "margins", "margins_dissipative" } do
     local rows = {}
     for i, m in ipairs(e[way] or {}) do

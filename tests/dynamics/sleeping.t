@@ -60,6 +60,7 @@ local said = {}
 for i, l in ipairs(design.lines(facts.of(scene.read((text:format "150"))))) do said[i] = l.text or l end
 said = table.concat(said, "\n")
 tap.ok(said:find("stable iff (I3 n)^2 > 4 I1 M g l; here unstable", 1, true), "150 rad/s are too few", said)
+tap.is(facts.of(scene.read((text:format "150"))).upright, "unstable", "and so it stands beside a free body's verdicts")
 tap.ok(not said:find("free spin", 1, true), "a free body's conditions are not said of it", said)
 
 tap.done()
