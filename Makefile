@@ -209,6 +209,7 @@ check-latex: $(PROGRAM) $(MODULE)
 
 check-page: $(PROGRAM)
 	@node tests/page/person.mjs
+	@node tests/page/lecture.mjs
 	@node tests/page/plane.mjs
 	@node tests/page/bounce.mjs
 	@node tests/page/selftests.mjs

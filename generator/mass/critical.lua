@@ -60,9 +60,10 @@ local function factors(e)
 end
 
 -- What the conditions of the model (expressions that are positive for every set of parameters that NAME_init accepts)
--- say: symbols that are positive, and sums of known sign.  An object with :signs(e) and :positive(e).
+-- say: symbols that are positive, sums of known sign, and products of such as have one together.
+-- An object with :signs(e) and :positive(e).
 function critical.of(conditions)
-  local self = setmetatable({ map = {}, known = {} }, critical)
+  local self = setmetatable({ map = {}, known = {}, products = {} }, critical)
   local simple = {} -- not pivots of a tensor and places of holes: large, and the sign of no factor follows from them
   for _, c in ipairs(conditions) do
     if not c.opaque then simple[#simple + 1] = c end
@@ -80,8 +81,15 @@ function critical.of(conditions)
     for _, f in ipairs(list) do
       if not surely(f[1], true) then left[#left + 1] = f end
     end
-    if not c.allow_zero and #left == 1 and R.isint(left[1][2]) and R.toint(left[1][2]) % 2 == 1 then
-      self.known[left[1][1]] = R.sign(coefficient)
+    local odd, whole = {}, not c.allow_zero
+    for _, f in ipairs(left) do
+      whole = whole and R.isint(f[2])
+      if whole and R.toint(f[2]) % 2 == 1 then odd[#odd + 1] = f[1] end
+    end
+    if whole and #odd == 1 then
+      self.known[odd[1]] = R.sign(coefficient)
+    elseif whole and #odd > 1 then
+      self.products[#self.products + 1] = { sign = R.sign(coefficient), atoms = odd }
     end
   end
   return self
@@ -217,7 +225,31 @@ function critical:signs(e)
     end
   end
   put(e)
-  return sign, atoms
+  return sign * self:reduced(atoms), atoms
+end
+
+-- Takes out of the list the atoms whose product has a known sign; returns the sign of what was taken.
+-- With a b > 0 known: a, b, a - b ==> a - b.
+function critical:reduced(atoms)
+  local sign = 1
+  for _, p in ipairs(self.products) do
+    local at, all = {}, true
+    for _, wanted in ipairs(p.atoms) do
+      local found
+      for i, a in ipairs(atoms) do
+        if a == wanted and not at[i] then found = i end
+      end
+      all = all and found ~= nil
+      if found then at[found] = true end
+    end
+    if all then
+      sign = sign * p.sign
+      for i = #atoms, 1, -1 do
+        if at[i] then table.remove(atoms, i) end
+      end
+    end
+  end
+  return sign
 end
 
 -- Is e positive whatever the parameters?
@@ -295,6 +327,9 @@ function critical:solutions(e, relation)
   end
   return list
 end
+
+-- The root of a positive expression, as text.
+function critical:root(e, style) return root_text(self:plain(e), style or "unicode") end
 
 local words = { plain = { ["≠"] = "!=" }, unicode = {} }
 

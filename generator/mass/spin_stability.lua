@@ -14,11 +14,14 @@
 --     one off-diagonal entry I_ij, a block                    the third coordinate axis keeps its place; of i < j the
 --                                                             lesser moment of their plane takes i, the greater j
 --     full                                                    no closed form: `axes` is nil
+-- A lamina's moment about its normal is the sum of the two others, so the normal is the axis of the largest moment,
+-- whatever the parameters.
 -- In a block, with c the third axis,  I_c - I_greater  and  I_c - I_lesser  are the roots' own differences; their signs
 -- follow from  D = (I_c - I_i)(I_c - I_j) - I_ij^2  (their product) and  S = 2 I_c - I_i - I_j  (their sum): no root.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local expr = require "generator.algebra.expr"
+local ratio = require "generator.algebra.ratio"
 local critical = require "generator.mass.critical"
 local text = require "generator.formula.text"
 local vec = require "generator.algebra.vec"
@@ -34,6 +37,27 @@ local names = { "x", "y", "z" }
 local function product(c, e)
   local sign, atoms = c:signs(e)
   return { sign = sign, atoms = atoms }
+end
+
+-- Has the body some area or volume?  Then no moment of inertia of it is 0, while particles and wires may lie on a line.
+local function extended(m)
+  for _, p in ipairs(m.body.pieces) do
+    if p.measure == "area" or p.measure == "volume" then return true end
+  end
+  return false
+end
+
+-- The sign of I_a - I_b.  Of a lamina in the plane of two axes it is that of a moment: I_a - I_b = I_c.
+local function difference(m, c, a, b)
+  local I, third = m.inertia, 6 - a - b
+  for _, sign in ipairs { 1, -1 } do
+    if ratio.iszero(I[a] - I[b] - sign * I[third]) then
+      if extended(m) then return { sign = sign, atoms = {} } end
+      local of = product(c, I[third])
+      return { sign = sign * of.sign, atoms = of.atoms }
+    end
+  end
+  return product(c, I[a] - I[b])
 end
 
 -- The number of the coordinate axis along k, or nil.
@@ -79,12 +103,17 @@ function stability.of(m)
     self.axes[k] = "axis " .. names[k]
     self.axes[i] = "the axis of lesser moment in " .. names[i] .. "-" .. names[j]
     self.axes[j] = "the axis of greater moment in " .. names[i] .. "-" .. names[j]
-    self.block = { c = k, i = i, j = j, D = product(c, (I[k] - I[i]) * (I[k] - I[j]) - p ^ 2),
-      S = product(c, 2 * I[k] - I[i] - I[j]), gap = product(c, (I[i] - I[j]) ^ 2 + 4 * p ^ 2) }
+    self.block = { c = k, i = i, j = j, gap = product(c, (I[i] - I[j]) ^ 2 + 4 * p ^ 2) }
+    if extended(m) and ratio.iszero(I[k] - I[i] - I[j]) then -- a lamina: D = I_i I_j - I_ij^2, S = I_i + I_j
+      self.block.D, self.block.S = { sign = 1, atoms = {} }, { sign = 1, atoms = {} }
+    else
+      self.block.D = product(c, (I[k] - I[i]) * (I[k] - I[j]) - p ^ 2)
+      self.block.S = product(c, 2 * I[k] - I[i] - I[j])
+    end
   elseif s.kind ~= "full" then
     self.axes = { "axis x", "axis y", "axis z" }
     self.order = {}
-    for i = 1, 3 do self.order[i] = product(c, I[i % 3 + 1] - I[(i + 1) % 3 + 1]) end
+    for i = 1, 3 do self.order[i] = difference(m, c, i % 3 + 1, (i + 1) % 3 + 1) end
   end
   self.named = self.axes and named(m, s, self.line) or nil
   return self

@@ -126,7 +126,8 @@ local function stability_section(f)
   local lines = { "small oscillations of a free spin w about each principal axis (k; i, j cyclic):" ..
     " Omega1 = (Ik - Ij)/Ii w, Omega2 = (Ik - Ii)/Ij w; the rates are A cos(sqrt(Omega1 Omega2) t + psi0)" }
   if not f.job.model.has.rates then return { "the body is a point: it does not turn" } end
-  if #f.job.record.effects > 0 then lines[#lines + 1] = "(of the body without its effects)" end
+  local upright = f.upright and "; the heavy top, upright with its spin, is " .. f.upright or ""
+  if #f.job.record.effects > 0 then lines[#lines + 1] = "(of the body without its effects" .. upright .. ")" end
   for n, k in ipairs(order.of(f)) do
     local s = f.stability[k]
     local tail = s.period and ", period " .. number(s.period) .. "/w" or s.growth and ", growth rate " ..

@@ -4,23 +4,24 @@
 --     condition, condition_dissipative               text in the parameters (plain form), or nil without a closed form
 --     about, place                                   the axis in words, and its number in mass/stability
 --     stable, stable_dissipative                     1, 0, -1 at the parameters' defaults
+--     by                                             what decides: mass/stability, or dynamics/sleeping of a heavy top
 --     margins, margins_dissipative                   {name, unit, default, below, above}: the nearest values of a
 --                                                    parameter at which the verdict changes and there is a body, the
 --                                                    others at defaults
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
-local calculus = require "generator.algebra.calculus"
-local evaluate = require "generator.algebra.evaluate"
 local expr = require "generator.algebra.expr"
-local poly = require "generator.algebra.poly"
 local roots = require "generator.algebra.roots"
-local section = require "generator.algebra.section"
+local vec = require "generator.algebra.vec"
+local sleeping = require "generator.dynamics.sleeping"
+local extent = require "generator.mass.extent"
 local mass = require "generator.mass.spin_stability"
-local validity = require "generator.mass.validity"
 local json = require "generator.report.json"
 
 local stability = {}
+
+local words = { [1] = "stable", [0] = "neutral", [-1] = "unstable" }
 
 -- Which axis of mass/stability (1, 2, 3) is the k-th ascending moment of the facts.
 local function matched(f, s)
@@ -61,31 +62,14 @@ end
 -- The sign of an atom at the model's defaults.
 local function at_defaults(m) return function(atom) return R.sign(m:number(atom)) end end
 
--- The atom as a polynomial in one parameter, the others at their defaults: coefficients in doubles, or nil.
-local function in_one(m, atom, name)
-  if not poly.modest(atom) then return nil end
-  local terms = section.terms(atom, m.defaults, { name })
-  return terms and section.coefficients(terms)
-end
+local near = 1e-9 -- of a parameter: a verdict that changes so close to the end of the body changes there
 
-local exactly = validity.exactly
-
--- Is there a body for every value of the parameter from its default to x, the others at their defaults?  A condition
--- holds at the default; it is asked for at x, and between where it is a polynomial in the parameter.
+-- Does the parameter, the others at their defaults, come as far as x with a body beyond it?
 local function exists(m, name, x)
-  local here, env = R.todouble(m.defaults[name]), {}
-  for k, v in pairs(m.defaults) do env[k] = v end -- into a table: order is lost anyway
-  env[name] = R.fromdouble(x)
-  for _, c in ipairs(m.conditions) do
-    if not expr.constant(c.e, { [name] = true }) then
-      local e = calculus.substitute(c.e, exactly)
-      local fine, value = pcall(evaluate.precise, e, env, 128)
-      local polynomial = in_one(m, e, name)
-      if not fine or R.sign(value) < 0 then return false end
-      if polynomial and #roots.between(polynomial, math.min(here, x), math.max(here, x)) > 0 then return false end
-    end
-  end
-  return true
+  local here = R.todouble(m.defaults[name])
+  local beyond = x + near * (x - here)
+  local low, high = extent.of(m, name, math.min(here, beyond), math.max(here, beyond))
+  return low <= math.min(here, beyond) and high >= math.max(here, beyond)
 end
 
 -- How far each parameter may go until the verdict about axis k changes, while there is a body.  It can only change
@@ -101,7 +85,7 @@ local function margins(f, s, k, dissipation)
     local candidates, usable, polynomials = {}, true, {}
     for _, atom in ipairs(s:atoms()) do
       if not expr.constant(atom, { [p.name] = true }) then
-        local c = in_one(m, atom, p.name)
+        local c = extent.polynomial(m, atom, p.name)
         usable = usable and c ~= nil
         polynomials[atom] = c
         local far = 2.0 ^ 20 * (here ~= 0 and math.abs(here) or 1)
@@ -129,13 +113,31 @@ local function margins(f, s, k, dissipation)
     if below and not exists(m, p.name, below) then below = nil end
     if above and not exists(m, p.name, above) then above = nil end
     if usable and (below or above) then
-      list[#list + 1] = { name = p.name, sym = p.sym, unit = p.unit, below = below, above = above, default = here }
+      local unit = p.own == "rad/s" and p.own or p.unit -- a rate of turning is no frequency
+      list[#list + 1] = { name = p.name, sym = p.sym, unit = unit, below = below, above = above, default = here }
     end
   end
   return list
 end
 
--- Extends the entries of f.stability; sets f.design, or f.design_numeric = true when there are only numbers.
+-- What dynamics/sleeping says of a heavy top, and the number of the facts' axis that is the top's; nil for others.
+-- About an axis across it no spin is steady, so those have no verdict.
+local function heavy(f)
+  local m = f.job.model
+  local top, axis = sleeping.of(m, f.closed), 1
+  if not top then return nil end
+  local k = f.structure.kind == "symmetric" and f.structure.k or m.com
+  local function along(a)
+    return math.abs(a[1] * m:double(k[1]) + a[2] * m:double(k[2]) + a[3] * m:double(k[3]))
+  end
+  for i = 2, 3 do
+    if along(f.axes[i]) > along(f.axes[axis]) then axis = i end
+  end
+  return top, axis
+end
+
+-- Extends the entries of f.stability; sets f.design where there are closed forms, and of a heavy top f.upright, the
+-- verdict of its upright spin in a word.
 function stability.extend(f)
   local m = f.job.model
   local s = mass.of(m)
@@ -148,16 +150,21 @@ function stability.extend(f)
   end
   f.design = s
   local place, signs = matched(f, s), s:signs(at_defaults(m))
+  local top, axis = heavy(f)
+  f.upright = top and words[top:here(m)]
   for k, entry in ipairs(f.stability) do
     local n = place[k]
-    entry.place, entry.about = n, s.axes[n]
+    entry.place, entry.about, entry.by = n, s.axes[n], s
     entry.condition, entry.condition_dissipative = s:condition(n, false, "plain"), s:condition(n, true, "plain")
     entry.stable, entry.stable_dissipative = s.verdict(signs, n, false), s.verdict(signs, n, true)
     entry.margins, entry.margins_dissipative = margins(f, s, n, false), margins(f, s, n, true)
+    if top then
+      entry.by, entry.stable, entry.stable_dissipative = top, k == axis and top:here(m) or nil, nil
+      entry.condition, entry.condition_dissipative = k == axis and top:condition(n, false, "plain") or nil, nil
+      entry.margins, entry.margins_dissipative = k == axis and margins(f, top, n, false) or {}, {}
+    end
   end
 end
-
-local words = { [1] = "stable", [0] = "neutral", [-1] = "unstable" }
 
 local longest = 160 -- characters of a condition in a report
 
@@ -170,6 +177,31 @@ local function range(m)
   if not below then return name .. " < " .. above end
   if not above then return name .. " > " .. below end
   return below .. " < " .. name .. " < " .. above
+end
+
+-- How far each parameter may go.
+local function margin_lines(list, verdict)
+  return vec.map(list, function(m)
+    return "  " .. verdict .. " while " .. range(m) .. " (now " .. number(m.default) .. ")"
+  end)
+end
+
+-- Lines about the upright spin of a heavy top.
+local function top_lines(f, e)
+  local top, m = e.by, f.job.model
+  local n, verdict = top.n.name, words[e.stable]
+  local lines = { "gravity acts on the body: it is a heavy top, and a free body's verdicts do not hold",
+    "upright on its point, spinning about " .. (e.about or "its axis") .. " at the rate " .. n .. ": stable iff " ..
+      top.law .. "; here " .. verdict }
+  if top.rate then
+    local bound = top:condition(1, false, "unicode")
+    if utf8.len(bound) > longest then bound = "|" .. n .. "| > 2 sqrt(I1 M g l)/I3" end
+    local now = number(m:double(top.spin))
+    lines[#lines + 1] = "  " .. bound .. " = " .. number(top.rate) .. " rad/s (now " .. now .. ")"
+  end
+  for _, line in ipairs(margin_lines(e.margins, verdict)) do lines[#lines + 1] = line end
+  lines[#lines + 1] = "hanging under its point: always stable"
+  return lines
 end
 
 -- Lines about one axis with or without dissipation.
@@ -186,18 +218,19 @@ local function axis_lines(f, e, name, dissipation, lines)
   if not whatever then said = said .. "stable iff " end
   if utf8.len(condition) > longest then condition = "(a long polynomial)" end
   lines[#lines + 1] = said .. condition .. "; here " .. verdict
-  for _, m in ipairs(e["margins" .. way]) do
-    local now = " (now " .. number(m.default) .. ")"
-    lines[#lines + 1] = "  " .. verdict .. " while " .. range(m) .. now
-  end
+  for _, line in ipairs(margin_lines(e["margins" .. way], verdict)) do lines[#lines + 1] = line end
 end
 
 -- Lines of a section "Stability by design".
 function stability.lines(f)
+  for _, e in ipairs(f.stability) do
+    if e.by and e.by.law and e.stable then return top_lines(f, e) end
+  end
   local lines = { "a free spin about a principal axis; with dissipation the body loses energy inside and keeps L" }
   if not f.design then
     lines[2] = "the principal axes have no simple closed form: verdicts at the parameters' defaults"
   end
+  if #f.job.record.effects > 0 then lines[#lines + 1] = "(of the body without its effects)" end
   local pair = false
   for k, e in ipairs(f.stability) do
     local paired = f.design and f.design:paired(e.place)
@@ -221,9 +254,10 @@ function stability.json(e)
   put(list, "about", e.about)
   put(list, "condition", e.condition)
   put(list, "condition_dissipative", e.condition_dissipative)
-  put(list, "holds", e.stable == 1)
-  put(list, "holds_dissipative", e.stable_dissipative == 1)
+  put(list, "holds", e.stable and e.stable == 1)
+  put(list, "holds_dissipative", e.stable_dissipative and e.stable_dissipative == 1)
   put(list, "verdict_dissipative", words[e.stable_dissipative])
+  put(list, "verdict_upright", e.by and e.by.law and words[e.stable])
   for _, way in ipairs { "margins", "margins_dissipative" } do
     local rows = {}
     for i, m in ipairs(e[way] or {}) do

@@ -3,15 +3,22 @@
 
 const $ = (id) => document.getElementById(id);
 
-// A slider; returns {read, write}.  value in SI; factor: SI units in one shown unit.
+// A slider; returns {read, write, follow, first}.  value in SI; factor: SI units in one shown unit.
+// follow: the scene's own value is another now, and so is the slider's unless someone has moved it.
 function slider(box, name, text, unitText, low, high, value, factor, changed) {
   const label = document.createElement("label"), input = document.createElement("input");
   const output = document.createElement("output"), title = document.createElement("span");
   const show = () => {
-    output.textContent = shown(Number(input.value)) + (unitText ? "\u00a0" + unitText : "");
+    output.textContent = shown(Number(input.value)) + (unitText ? "\u00a0" + unitOf(unitText) : "");
     input.setAttribute("aria-valuetext", output.textContent);
   };
-  title.textContent = text;
+  const [stem, below] = text.split("_", 2); // m_b as people write it
+  title.textContent = below && stem ? stem : text;
+  if (below && stem) {
+    const low = document.createElement("sub");
+    low.textContent = text.slice(stem.length + 1);
+    title.append(low);
+  }
   input.type = "range";
   input.id = "s-" + name;
   input.min = low/factor;
@@ -34,13 +41,20 @@ function slider(box, name, text, unitText, low, high, value, factor, changed) {
   label.append(title, input, output);
   box.append(label);
   show();
-  return { read: () => own, first: value, write: (x) => {
+  const control = { first: value, read: () => own };
+  control.write = (x) => {
     own = x;
     if (x/factor < input.min) input.min = x/factor;
     if (x/factor > input.max) input.max = x/factor;
     input.value = x/factor;
     show();
-  } };
+  };
+  control.follow = (x) => {
+    const moved = own !== control.first;
+    control.first = x;
+    if (!moved && x !== own) control.write(x);
+  };
+  return control;
 }
 
 // Names and values of the fragment: #a=0.2&t=1.5
@@ -62,9 +76,8 @@ function writeAddress(values) {
 function controlsOf(facts, places, own, scene, changed) {
   const controls = {}, most = 1.5*Math.max(1, length(places.w.map((i) => scene[i])));
   facts.params.forEach((p, i) => {
-    const v = own[i], low = p.low ?? (v === 0 ? -p.factor : Math.min(-0.2*v, 3*v));
-    const high = p.high ?? (v === 0 ? p.factor : Math.max(-0.2*v, 3*v));
-    controls["p." + p.name] = slider($("parameters"), "p-" + p.name, p.name, p.unit, low, high, v, p.factor, changed);
+    controls["p." + p.name] = slider($("parameters"), "p-" + p.name, p.name, p.unit, p.low, p.high, own[i], p.factor,
+      changed);
   });
   ["wx", "wy", "wz"].forEach((name, k) => {
     controls[name] = slider($("rates0"), name, "ω" + "xyz"[k], "rad/s", -most, most, scene[places.w[k]], 1, changed);

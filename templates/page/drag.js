@@ -33,7 +33,7 @@ function orbit(canvas, space, draw, way, moved) {
     else if (up) space.height += up;
     else if (e.key === "+") space.far /= 1.1;
     else if (e.key === "-") space.far *= 1.1;
-    else if (e.key === "0") Object.assign(space, { turn: 0.6, height: 0.35, far: 3.6 });
+    else if (e.key === "0") Object.assign(space, { turn: 0.6, height: 0.35, far: FAR });
     else return;
     e.preventDefault();
     limit();

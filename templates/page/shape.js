@@ -64,21 +64,45 @@ function rim(angle, reach) {
   return [...list, 0, 0, 0, ...at(24)];
 }
 
-function arrow() {
-  const list = [], ring = [[0.018, 0], [0.018, 0.86], [0.05, 0.86], [0, 1]], n = 20;
-  for (let r = 0; r < 3; r++)
-    for (let k = 0; k < n; k++) {
-      const p = (j, m) => [ring[j][0]*Math.cos(2*Math.PI*m/n), ring[j][0]*Math.sin(2*Math.PI*m/n), ring[j][1]];
-      const a = p(r, k), b = p(r, k + 1), c = p(r + 1, k + 1), d = p(r + 1, k), e = 2*Math.PI*(k + 0.5)/n;
-      const s = r === 2 ? 0.34 : 0, normal = r === 1 ? [0, 0, -1] : unit([Math.cos(e), Math.sin(e), s]);
-      for (const v of [a, b, c, a, c, d]) list.push(...v, ...normal);
-    }
+// Between two rings [radius, height] about z, with a flat end below where `closed`: an arrow's shaft, and its head.
+function turnedOf(low, high, closed) {
+  const list = [], n = 20;
+  const at = ([r, z], m) => [r*Math.cos(2*Math.PI*m/n), r*Math.sin(2*Math.PI*m/n), z];
+  for (let k = 0; k < n; k++) {
+    const a = at(low, k), b = at(low, k + 1), c = at(high, k + 1), d = at(high, k), e = 2*Math.PI*(k + 0.5)/n;
+    const normal = unit([Math.cos(e), Math.sin(e), low[0] - high[0]]);
+    for (const v of [a, b, c, a, c, d]) list.push(...v, ...normal);
+    if (closed) for (const v of [a, [0, 0, low[1]], b]) list.push(...v, 0, 0, -1);
+  }
   return new Float32Array(list);
 }
 
-// What is drawn of a body: {faces, holes, lines, points, size, ellipsoid}.
+const shaftOf = () => turnedOf([1, 0], [1, 1], false);
+const headOf = () => turnedOf([1, 0], [0, 1], true);
+
+const BESIDE = 0.03; // of the body's size: what is so near to an axis would be hidden by an arrow along it
+
+// How far a body lies along its axis k, to both sides, near to that axis.
+function reachOf(body, k) {
+  let low = 0, high = 0;
+  for (const list of [body.faces, body.lines, body.points])
+    for (let i = 0; i < list.length; i += 3)
+      if (Math.hypot(list[i + (k + 1) % 3], list[i + (k + 2) % 3]) < BESIDE*body.size) {
+        low = Math.max(low, -list[i + k]);
+        high = Math.max(high, list[i + k]);
+      }
+  return [low/body.size, high/body.size];
+}
+
+// What is drawn of a body: {faces, holes, lines, points, size = the farthest of it from the origin, reach = how far it
+// lies along its axes, in sizes, ellipsoid}.
 function bodyOf(drawing, values, own, code) {
-  const body = {}, half = (list) => list.reduce((m, c) => Math.max(m, Math.abs(c)), 0);
+  const body = {};
+  const half = (list) => {
+    let most = 0;
+    for (let i = 0; i < list.length; i += 3) most = Math.max(most, Math.hypot(list[i], list[i + 1], list[i + 2]));
+    return most;
+  };
   for (const kind of ["faces", "holes", "lines", "points"]) body[kind] = cornersOf(drawing[kind], values, own);
   body.size = Math.max(half(body.faces), half(body.lines), half(body.points));
   if (!(body.size > 0) || body.faces.length + body.lines.length === 0 && body.points.length <= 3) {
@@ -87,6 +111,7 @@ function bodyOf(drawing, values, own, code) {
     body.ellipsoid = { axes: s.map((x) => Math.sqrt(Math.max(5*x/m.mass, 1e-12))), frame: principal };
     body.size = Math.max(...body.ellipsoid.axes);
   }
+  body.reach = [0, 1, 2].map((k) => reachOf(body, k));
   body.faces = surfaceOf(body.faces, body.size);
   body.holes = surfaceOf(body.holes, body.size);
   return body;

@@ -11,6 +11,12 @@ const ONE = [1, 0, 0, 0], HERE = [0, 0, 0], EQUAL = [1, 1, 1];
 
 const LONGEST = 120; // points of a trail
 
+// Lengths in sizes of the body; the longest ends within the picture from where the camera is at first.
+const AXIS = 1.15, RATE = 1.3, MOMENTUM = 1.45, FAR = 3.8;
+const ALONG = 0.97; // cosine of what is along an axis
+// Radii of a shaft and a head, and the head's length: a rod, drawn five pixels wide, is seen beside a shaft along it.
+const SHAFT = 0.009, HEAD = 0.034, TIP = 0.11;
+
 // How many points of a path on the sphere make a trail: a turn or so; none where they lie too far apart for a curve.
 function trailOf(list) {
   let most = 0;
@@ -22,8 +28,8 @@ function trailOf(list) {
 function spaceOf(canvas, facts) {
   const r = rendererOf(canvas);
   if (!r) return null;
-  const space = { turn: 0.6, height: 0.35, far: 3.6, renderer: r };
-  const shaft = r.mesh(arrow()), round = r.mesh(ball(24)), funnel = r.mesh(cone());
+  const space = { turn: 0.6, height: 0.35, far: FAR, renderer: r };
+  const shaft = r.mesh(shaftOf()), head = r.mesh(headOf()), round = r.mesh(ball(24)), funnel = r.mesh(cone());
   const things = {}, trails = [0, 0, 0], ground = facts.plane ? groundOf(r, facts) : null;
   let body = null, poinsot = null, cones = null;
 
@@ -47,7 +53,7 @@ function spaceOf(canvas, facts) {
     const axis = [[1, 0, 0], [0, 1, 0], [0, 0, 1]];
     for (let k = 0; k < 3; k++) {
       const list = [];
-      for (const s of m.samples) list.push(...scaled(1.25, turned(places.q.map((i) => s.x[i]), axis[k])));
+      for (const s of m.samples) list.push(...scaled(AXIS, turned(places.q.map((i) => s.x[i]), axis[k])));
       renew("trail" + k, r.line(list));
       trails[k] = trailOf(list);
     }
@@ -59,9 +65,22 @@ function spaceOf(canvas, facts) {
     renew("plane", r.mesh(new Float32Array(square.flatMap((v) => [...v, 0, 0, 1]))));
   };
 
-  function pointer(way, size, colour, from) {
+  // An arrow from `begin` to `size` along a direction; k: how much smaller than alone.
+  function pointer(way, size, colour, from = HERE, k = 1, begin = 0) {
     if (!(length(way) > 0)) return;
-    r.surface(shaft, placed(towards([0, 0, 1], way), [size, size, size], from || HERE), EQUAL, [...colour, 1]);
+    const q = towards([0, 0, 1], way), along = unit(way), neck = Math.max(begin, size - TIP*k);
+    const put = (mesh, wide, at, long) => {
+      const s = [wide, wide, Math.max(long, 1e-6)];
+      r.surface(mesh, placed(q, s, added(from, scaled(at, along))), s, [...colour, 1]);
+    };
+    if (neck > begin) put(shaft, SHAFT*k, begin, neck - begin);
+    put(head, HEAD*k, neck, size - neck);
+  }
+
+  // Where an arrow along v, in body axes, begins: at the end of what lies along it, as a rod does.
+  function beginning(v) {
+    const u = unit(v), k = u.findIndex((c) => Math.abs(c) > ALONG);
+    return k < 0 ? 0 : Math.min(body.reach[k][u[k] > 0 ? 1 : 0], AXIS - TIP);
   }
 
   // k: how much smaller than alone.
@@ -73,15 +92,17 @@ function spaceOf(canvas, facts) {
       r.surface(round, placed(own, e, at), e, [...colour, alpha]);
     } else {
       r.surface(things.faces, placed(q, scale, at), EQUAL, [...colour, alpha]);
-      r.lines(things.wires, placed(q, scale, at), [...colour, alpha], 4, true);
+      r.lines(things.wires, placed(q, scale, at), [...colour, alpha], 5, true);
       for (let i = 0; i < body.points.length; i += 3) {
         const p = added(at, turned(q, scaled(s, Array.from(body.points.subarray(i, i + 3)))));
         r.surface(round, placed(q, scaled(0.07*k, EQUAL), p), EQUAL, [...colour, alpha]);
       }
       r.surface(things.holes, placed(q, scale, at), EQUAL, [...colour, 0.45*alpha]);
     }
-    if (size) for (const [v, name] of [[[1, 0, 0], "x"], [[0, 1, 0], "y"], [[0, 0, 1], "z"]])
-      pointer(turned(q, v), 1.25*k, size[name], at);
+    if (!size) return;
+    // an axis begins where what lies along it ends, so that a rod is not hidden in its own axis
+    [[1, 0, 0], [0, 1, 0], [0, 0, 1]].forEach((v, i) =>
+      pointer(turned(q, v), AXIS*k, size["xyz"[i]], at, k, Math.min(body.reach[i][1], AXIS - TIP)*k));
   }
 
   function drawPoinsot(now, c) {
@@ -102,9 +123,9 @@ function spaceOf(canvas, facts) {
       return [placed(q, s, HERE), s];
     };
     r.surface(funnel, ...around(towards(up, cones.L), cones.space, 1.2), [...c.x, 1]);
-    pointer(cones.L, 1.5, c.ink);
-    pointer(turned(now.q, now.w), 1.5, c.rate);
-    pointer(axis, 1.5, c.z);
+    pointer(cones.L, MOMENTUM, c.ink);
+    pointer(turned(now.q, now.w), RATE, c.rate);
+    pointer(axis, RATE, c.z);
     r.surface(funnel, ...around(product(now.q, towards(up, cones.axis)), cones.body, 1.2), [...c.y, 0.6]);
     r.lines(things.mark, placed(product(now.q, towards(up, cones.axis)), EQUAL, HERE), [...c.y, 1], 2.5, false);
   }
@@ -122,8 +143,9 @@ function spaceOf(canvas, facts) {
     const centre = whole ? ground.centre : touch && touch.com;
     const place = (t) => t ? scaled(scale, added(t.com, scaled(-1, centre))) : HERE;
     if (!whole) drawTrails(now, c);
-    pointer(turned(now.q, now.w), 1.5*k, c.rate, place(touch));
-    pointer(now.L, 1.5*k, c.ink, place(touch));
+    const back = [now.q[0], -now.q[1], -now.q[2], -now.q[3]];
+    pointer(turned(now.q, now.w), RATE*k, c.rate, place(touch), k, beginning(now.w)*k);
+    pointer(now.L, MOMENTUM*k, c.ink, place(touch), k, beginning(turned(back, now.L))*k);
     drawBody(now.q, place(touch), 1, c.body, c, k);
     if (now.second) drawBody(now.second, place(now.other), 0.45, c.second, null, k);
     if (touch) ground.draw(touch, centre, scale, now.index + 1, c);

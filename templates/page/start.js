@@ -4,6 +4,7 @@
 // Time that passes is time of the motion: a frame shows the state of its moment, however late it comes.
 
 const TEXT_EVERY = 100; // ms: numbers that change faster cannot be read, and each change costs a layout
+const TOUCHING = 1e-12; // of the body's size: what is so near to 0 is a rounding of the contact point's place
 const TOLD = 6, WORDS = { impact: "impact", landing: "comes to stay on the plane", lift_off: "leaves the plane" };
 
 async function start() {
@@ -29,7 +30,7 @@ async function start() {
 
   code.init();
   code.initial(SLOT.spare);
-  const scene = Array.from(code.states[SLOT.spare]);
+  let scene = Array.from(code.states[SLOT.spare]); // the initial state that the parameters give
   // ---- controls ----
 
   let due = false;
@@ -51,7 +52,9 @@ async function start() {
   if (facts.exact) names.unshift(["exact", live ? "closed form" : facts.recorded.method]);
   choose($("first"), names);
   choose($("second"), [["none", "nothing"], ...names]);
-  choose($("preset"), facts.compass ? [...PRESETS, RATTLING] : PRESETS);
+  const offered = presetsOf(facts, code.principal());
+  choose($("preset"), offered);
+  $("preset").parentNode.hidden = offered.length === 1;
   const step = live ? facts.step : facts.horizon/(facts.recorded.count - 1);
   $("step").value = step;
   const stepOf = () => Number($("step").value) > 0 ? Number($("step").value) : step;
@@ -69,6 +72,8 @@ async function start() {
     code.initial(SLOT.spare);
     const x = Array.from(code.states[SLOT.spare]);
     if (!live) return x;
+    scene = x.slice();
+    ["wx", "wy", "wz"].forEach((name, k) => controls[name].follow(x[places.w[k]]));
     const q = places.q.map((i) => x[i]), turn = turnNow();
     ratesNow().forEach((v, k) => { x[places.w[k]] = v; });
     if (length(turn) > 0) product(q, rotationOf(turn)).forEach((c, k) => { x[places.q[k]] = c; });
@@ -102,6 +107,7 @@ async function start() {
     page.motion = made;
     const second = choiceOf("second");
     page.other = second && motionOf(code, SLOT.second, x, second, page.until);
+    if (page.start && x.some((v, i) => v !== page.start[i])) page.t = 0; // it begins otherwise, so it begins anew
     page.start = x;
     constructions(made);
     page.body = bodyOf(drawing, values, own, code);
@@ -109,7 +115,7 @@ async function start() {
       space.body(page.body);
       space.motion(made, places, page.poinsot, page.cones);
     }
-    page.mark = plotsOf(made, places);
+    page.mark = plotsOf(made, places, facts.real);
     fillFormulas(code.inertia());
     $("time").max = made.end;
     $("note").textContent = noteOf(made);
@@ -182,7 +188,8 @@ async function start() {
     $("now").textContent = page.t.toFixed(3).replace("-", "−") + "\u00a0s";
     $("time").setAttribute("aria-valuetext", page.t.toFixed(2) + " s");
     const rows = facts.states.map((s, i) => [s.name, x[i]]).concat([["E / J", E], ["|L| / (N m s)", size]],
-      touch ? [["N / N", touch.N], ...touch.point.map((v, k) => ["contact " + "xyz"[k] + " / m", v])] : []);
+      touch ? [["N / N", touch.N], ...touch.point.map((v, k) => ["contact " + "xyz"[k] + " / m",
+        Math.abs(v) < TOUCHING*page.body.size ? 0 : v])] : []);
     const body = $("values").tBodies[0];
     rows.forEach(([name, v], i) => {
       const row = body.rows[i] || body.insertRow();
@@ -191,7 +198,7 @@ async function start() {
         row.cells[0].scope = "row";
         row.cells[0].textContent = name;
       }
-      row.cells[1].textContent = v.toPrecision(10).replace("-", "−");
+      row.cells[1].textContent = tenDigits(v);
     });
     const apart = y && sayError(between(pick(x, places.q), pick(y, places.q)));
     $("difference").textContent = y ? "Difference of the two at this time: " + apart +
@@ -278,7 +285,11 @@ async function start() {
   function preset(kind) {
     if (!kind) return;
     const size = Math.max(length(pick(page.start, places.w)), 1);
-    const to = presetOf(kind, code.principal(), pick(scene, places.q), size, facts.compass);
+    if (facts.weight) { // its numbers are those of the scene's own parameters
+      for (const p of facts.params) controls["p." + p.name].write(controls["p." + p.name].first);
+      renew();
+    }
+    const to = presetOf(kind, facts, code.principal(), pick(scene, places.q), size, code.mass().com);
     writeRates(to.w);
     writeTurn(to.turn);
     page.t = 0;
@@ -303,7 +314,8 @@ async function start() {
   for (const id of ["first", "second", "what"]) if (given[id]) $(id).value = given[id];
   if (Number(given.h) > 0) $("step").value = given.h;
   if (Number(given.t) > 0) page.t = Number(given.t);
-  $("about").textContent = (facts.effects.length ? facts.effects.join(", ") : "free") + "; " + (!live ?
+  const acts = facts.effects.map((e) => e.replace("effect.", "")).join(", ") || "free";
+  $("about").textContent = acts + "; " + (!live ?
     "computed before, by " + facts.recorded.method : facts.exact ? "closed form: " + facts.closed :
       "no closed form: " + facts.closed) + "; " + facts.real + ".";
   for (const [css, text] of [["x", "x "], ["y", "y "], ["z", "z "]]) {

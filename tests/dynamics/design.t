@@ -18,6 +18,7 @@ local scene = require "tests.scene"
 local compiled = require "tests.ir.compiled"
 local R = require "generator.algebra.rational"
 local evaluate = require "generator.algebra.evaluate"
+local vec = require "generator.algebra.vec"
 local facts = require "generator.report.facts"
 local stability = require "generator.mass.spin_stability"
 
@@ -43,6 +44,11 @@ local texts = {
     "(c < a and c < b) or (c > a and c > b)", "c < a and c < b" },
   { "plate.rectangle { x = x, y = y, mass = M }", { "M", "x", "y" }, 3, "always", "always" },
   { "plate.rectangle { x = x, y = y, mass = M }", { "M", "x", "y" }, 1, "x > y", "never" },
+  { "plate.polygon { profile = { {0, 0}, {x, 0}, {0, y} }, mass = M }", { "M", "x", "y" }, 3, "always", "always" },
+  { "plate.polygon { profile = { {0, 0}, {x, 0}, {x, y}, {0, y} }, density = rho }", { "rho", "x", "y" }, 1,
+    "(x - y)*(x + y) > 0", "never" }, -- x y > 0 is the mass's
+  { "points { {M, x, 0, 0}, {M, -x, 0, 0}, {M, 0, y, 0}, {M, 0, -y, 0} }", { "M", "x", "y" }, 3, "x != 0 and y != 0",
+    "x != 0 and y != 0" }, -- with one of them 0 they lie on a line
   { "solid.torus { R = b, r = a, mass = M }", { "M", "a", "b" }, 3, "always", "always" },
   { "rod.straight { length = l, mass = M }", { "M", "l" }, 3, "always", "never" },
   { "solid.sphere { r = r, mass = M }", { "M", "r" }, 2, "never (neutral: equal moments)",
@@ -129,6 +135,8 @@ local bodies = {
   { "solid.box { x = a, y = b, z = c, mass = M }:turned{axis = 'y', angle = 0.3}", { "M", "a", "b", "c" } },
   { "solid.box { x = a, y = b, z = c, mass = M } + points { {Mb, u, v, 0} }", { "M", "Mb", "a", "b", "c", "u", "v" } },
   { "solid.box { x = a, y = a, z = a, mass = M }", { "M", "a" }, "origin = 'corner'" },
+  { "plate.rectangle { x = a, y = t, mass = M }:at{a/2, t/2, 0} + plate.rectangle { x = t, y = b, mass = Mb }" ..
+    ":at{t/2, t + b/2, 0}", { "M", "Mb", "a", "b", "t" } }, -- a lamina: a block whose third axis is the largest
 }
 scene.seed(41)
 for _, b in ipairs(bodies) do
@@ -217,6 +225,17 @@ do
   local m = facts.of(job).stability[3].margins_dissipative[1]
   tap.ok(m.name == "a" and m.below == nil and math.abs(m.above - (0.3 * math.sqrt(3) - 0.2)) < 1e-14,
     "a height a + b: above sqrt(3) r it is unstable, below it ends before")
+  -- the moments of a block over the corners (0, 0), (a, 0), (a, b), (0, b) change their order where a or b is 0, and
+  -- there, too, it ends
+  job = scene.read [[local a, b, h = param("a", 0.3, "m"), param("b", 0.2, "m"), param("h", 0.15, "m")
+    return scene { name = "s", body = extrude { profile = { {0, 0}, {a, 0}, {a, b}, {0, b} }, h = h, density = 800 } }]]
+  local ends = 0
+  for _, e in ipairs(facts.of(job).stability) do
+    for _, way in ipairs { "margins", "margins_dissipative" } do
+      for _, m2 in ipairs(e[way]) do ends = ends + ((m2.below or 1) < 0.1 and 1 or 0) end
+    end
+  end
+  tap.is(ends, 0, "no margin is where the block has no volume")
 end
 
 ---- the emitted predicate near its boundary ---------------------------------------------------------------
@@ -349,6 +368,9 @@ do -- turned about an axis: a block; the third axis and the two of the plane
     points[n] = p
   end
   compare("box and a particle", job, points, "double")
+  compare("a plate of two rectangles", assert(scene.body("plate.rectangle { x = a, y = t, mass = M }:at{a/2, t/2, 0}" ..
+    " + plate.rectangle { x = t, y = b, mass = Mb }:at{t/2, t + b/2, 0}", { "M", "Mb", "a", "b", "t" })),
+  vec.map(points, function(p) return { table.unpack(p, 1, 5) } end), "double")
 end
 
 tap.done()

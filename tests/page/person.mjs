@@ -77,6 +77,8 @@ const formula = await page.run(`[document.querySelector("math [data-value=Iyy]")
   document.querySelector("#formulas mtable").getBoundingClientRect().height]`);
 ok(Number(formula[0]) === Number(expected.toPrecision(6)), "and the number in the formula", formula[0]);
 ok(formula[1] > 45, "three rows of a matrix are drawn one below the other", formula[1]);
+// no slider goes there, but an address may
+await page.run(`(() => { const e = document.getElementById("s-p-head"); e.min = -1; })()`);
 await page.run(set("s-p-head", -0.02));
 ok(/No such body: .*must be positive/.test(await page.run(refused)), "an impossible body is refused in words",
   await page.run(refused));
@@ -125,9 +127,6 @@ for (const kind of presets) {
   ok(await page.run("polhode.motion.samples.every((s) => s.sound)") && await page.run(refused) === "",
     `preset ${kind}: a motion of finite numbers`, await page.run(refused));
 }
-await page.run(set("preset", "'sleep'"));
-const [qw, qx, qy, qz] = await page.run("polhode.start");
-ok(Math.abs(qw*qw - qx*qx - qy*qy + qz*qz - 1) < 1e-12, "the sleeping top stands upright", [qw, qx, qy, qz]);
 await page.run(`document.getElementById("reset").click()`);
 ok(await page.run("JSON.stringify(polhode.start)") === JSON.stringify(still),
   "the scene's own state comes back to the bit");

@@ -75,7 +75,7 @@ for (const [name, t, size, off, ...words] of [
     document.querySelector("#reaction path.curve").getAttribute("d").length]`);
   ok(plot[0] === false && plot[1] > 3000, `${name}: and has a plot`, plot);
   const near_by = await page.run(PICTURE);
-  ok(near_by.blue > 0.15 && near_by.purple > 0.0002 && near_by.grey > 0.02, `${name}: plane, path and body are drawn`,
+  ok(near_by.blue > 0.15 && near_by.purple > 0.00005 && near_by.grey > 0.012, `${name}: plane, path and body are drawn`,
     JSON.stringify(near_by));
   await page.run(set("what", "'path'"));
   const whole = await page.run(PICTURE);
