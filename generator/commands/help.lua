@@ -43,6 +43,8 @@ end
 local function value(row)
   if row[2] == false then return "" end
   if row[2] == "pair" then return " NAME=NUMBER" end
+  if row[2] == "pairs" then return " NAME=X[,Y]" end
+  if row[2] == "ranges" then return " NAME=LOW:HIGH" end
   return " " .. (row.value or table.concat(row[2], "|"))
 end
 

@@ -3,9 +3,11 @@
 -- command.options is a list of rows, in the order in which help prints them:
 --     { "--step", "number", "what it does, with its unit", value = "H", default = "the scene's time.step" }
 -- The second field is the kind of value: false (a flag), text, texts (may be given again), number, numbers, words (with
--- commas between), pair (NAME=NUMBER, may be given again), or a list of choices (with several = true in it: any of
--- them, commas between; the result is also a set; elsewhere = {word = what to ask instead}).  value: what help calls
--- it; default: what holds without it (none for a flag and a pair); each = {choice = what it means}.
+-- commas between), pair (NAME=NUMBER, may be given again), pairs (the same, or NAME=NUMBER,NUMBER), ranges
+-- (NAME=LOW:HIGH, may be given again), or a list of choices (with several = true in it: any of them, commas between;
+-- the result is also a set; open = true: and other words, of which the command knows; elsewhere = {word = what to ask
+-- instead}).  value: what help calls it; default: what holds without it (none for a flag, a pair and ranges); each =
+-- {choice = what it means}.
 -- command.operands is {least, most, what they are}: SCENE (a file, -, or the name of an installed scene), FILE or WHAT.
 -- -o DIR and --name=value are understood.  The result of parse maps names without dashes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -48,6 +50,22 @@ local kinds = {
   words = function(s) return split(s) end,
 }
 
+-- The text cut at commas outside of brackets, without blanks around the parts.
+function options.entries(text)
+  local list, depth, from = {}, 0, 1
+  for i = 1, #text do
+    local c = string.sub(text, i, i)
+    if string.find(c, "[({]") then depth = depth + 1 elseif string.find(c, "[)}]") then depth = depth - 1 end
+    if c == "," and depth <= 0 then
+      list[#list + 1] = string.sub(text, from, i - 1)
+      from = i + 1
+    end
+  end
+  list[#list + 1] = string.sub(text, from)
+  for i, s in ipairs(list) do list[i] = string.match(s, "^%s*(.-)%s*$") end
+  return list
+end
+
 -- "a, b or c"
 function options.either(list)
   if #list < 2 then return list[1] end
@@ -82,9 +100,9 @@ function options.unknown(name, list, known, alone)
 end
 
 local function chosen(row, value)
-  local list = row[2].several and split(value) or { value }
+  local list = row[2].several and (row[2].open and options.entries or split)(value) or { value }
   for _, word in ipairs(list) do
-    local known = false
+    local known = row[2].open and word ~= ""
     for _, w in ipairs(row[2]) do known = known or w == word end
     if not known and row[2].elsewhere and row[2].elsewhere[word] then
       return nil, row[1] .. " " .. word .. ": " .. row[2].elsewhere[word]
@@ -98,12 +116,34 @@ local function chosen(row, value)
   return row[2].several and list or value
 end
 
+-- NAME and what stands behind its = in values of these kinds, or nil and the rule.
+local named = {
+  pair = function(value)
+    local k, v = string.match(value, "^(%a[%w_]*)=(.+)$")
+    if k and R.parse(v) then return k, v end
+    return nil, "NAME=NUMBER"
+  end,
+  pairs = function(value)
+    local k, v = string.match(value, "^(%a[%w_]*)=(.+)$")
+    local list = k and split(v) or {}
+    for _, x in ipairs(list) do list = R.parse(x) and list or {} end
+    if #list == 1 or #list == 2 then return k, list end
+    return nil, "NAME=NUMBER or NAME=NUMBER,NUMBER"
+  end,
+  ranges = function(value)
+    local k, low, high = string.match(value, "^%s*(.-)%s*=%s*([^=:]+):([^=:]+)$")
+    low, high = number(low or ""), number(high or "")
+    if k ~= "" and low and high and low < high then return k, { low, high } end
+    return nil, "NAME=LOW:HIGH, with LOW below HIGH"
+  end,
+}
+
 -- One value of an option, put into out; a message if it is wrong.
 local function take(row, key, value, out)
   local name, kind = row[1], row[2]
-  if kind == "pair" then
-    local k, v = string.match(value, "^(%a[%w_]*)=(.+)$")
-    if not k or not R.parse(v) then return name .. " must be NAME=NUMBER, got " .. value end
+  if named[kind] then
+    local k, v = named[kind](value)
+    if not k then return name .. " must be " .. v .. ", got " .. value end
     out[key] = out[key] or {}
     if out[key][k] then return name .. " " .. k .. " is given twice" end
     out[key][k] = v
