@@ -48,8 +48,8 @@ local function words_of(job)
   local list, by_name, groups, wide, has = {}, {}, {}, {}, { energy = true, L = job.model.has.attitude or nil,
     contact = (contact.of(job.model) or job.record.landing) and true or nil,
     frame = job.model.frame and true or nil, base = base(job.model) ~= false }
-  local function word(name, unit, f)
-    by_name[name] = { name = name, unit = unit, f = f }
+  local function word(name, unit, f, about)
+    by_name[name] = { name = name, unit = unit, f = f, about = about }
     list[#list + 1], wide[#wide + 1] = by_name[name], by_name[name]
   end
   local function group(name, member)
@@ -72,7 +72,7 @@ local function words_of(job)
     local fits = true
     for _, need in ipairs(q[2]) do fits = fits and has[need] end
     local function f(sample) return quantities.value(w, sample) end
-    if fits and (k or not q[5]) then word(name, unit, f) elseif fits then
+    if fits and (k or not q[5]) then word(name, unit, f, not k and q.about or nil) elseif fits then
       wide[#wide + 1] = { name = name, unit = unit, f = f }
     end
     if fits and k then group(q[1], name) end
@@ -133,18 +133,21 @@ local function expression_column(host, job, name, text, list)
   end }
 end
 
--- A function that gives for one word, group or expression its columns, {{name =, unit =, f = of a sample}, ...}, or nil
--- and what is wrong.  option: where the user wrote it; others: more words that the option knows.
+-- A function that gives for one word, group or expression its columns, {{name =, unit =, f = of a sample}, ...; about =
+-- in words}, or nil and what is wrong.  option: where the user wrote it; others: more words that the option knows.
 function columns.reader(host, job, option, others)
   local list, by_name, groups, wide = words_of(job)
   local known = { table.unpack(others or {}) }
   for _, w in ipairs(list) do known[#known + 1] = w.name end
-  for _, q in ipairs(quantities.list) do known[#known + 1] = q[5] and q[1] or nil end
+  local abouts = {}
+  for _, q in ipairs(quantities.list) do
+    known[#known + 1], abouts[q[1]] = q[5] and q[1] or nil, q.about
+  end
   return function(entry)
     local name, body = string.match(entry, "^([%a_][%w_]*)%s*=%s*([^=].*)$")
-    if by_name[entry] then return { by_name[entry] } end
+    if by_name[entry] then return { by_name[entry], about = by_name[entry].about } end
     if groups[entry] then
-      local out = {}
+      local out = { about = abouts[entry] }
       for i, member in ipairs(groups[entry]) do out[i] = by_name[member] end
       return out
     end
