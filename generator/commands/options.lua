@@ -13,6 +13,7 @@
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local slips = require "generator.dsl.slips"
 local nearest = require "generator.nearest"
 
 local options = {}
@@ -26,7 +27,7 @@ end
 -- The double nearest to what is written, or nil and the rule that it breaks.
 local function number(s)
   local q = R.parse(s)
-  if not q then return nil, "must be a number" end
+  if not q then return nil, "must be a number" .. slips.number(s, "without its unit: %s") end
   local x = R.todouble(q)
   if x == math.huge or x == -math.huge then return nil, "must be within the range of double" end
   return x
@@ -42,7 +43,7 @@ local kinds = {
     local list = {}
     for i, word in ipairs(split(s)) do
       local x, rule = number(word)
-      if not x then return nil, rule == "must be a number" and "must be numbers with commas between" or rule end
+      if not x then return nil, (string.gsub(rule, "^must be a number", "must be numbers with commas between")) end
       list[i] = x
     end
     return list
@@ -72,10 +73,14 @@ function options.either(list)
   return table.concat(list, ", ", 1, #list - 1) .. " or " .. list[#list]
 end
 
+-- What other programs call a value that some options have here by another name.
+local elsewhere = { tex = "latex", md = "markdown", htm = "html", typ = "typst", txt = "text" }
+
 -- "; did you mean b?" where the list has one word that begins with this one, or a word near to it; else nothing.
 function options.meant(word, list)
   local begun = {}
   for _, entry in ipairs(list) do
+    if entry == elsewhere[word] then return "; did you mean " .. entry .. "?" end
     if #word >= 2 and string.sub(entry, 1, #word) == word then begun[#begun + 1] = entry end
   end
   local best = #begun == 1 and begun[1] or nearest.one(word, list)
@@ -121,7 +126,7 @@ local named = {
   pair = function(value)
     local k, v = string.match(value, "^(%a[%w_]*)=(.+)$")
     if k and R.parse(v) then return k, v end
-    return nil, "NAME=NUMBER"
+    return nil, "NAME=NUMBER" .. slips.number(v, "without its unit: " .. (k or "") .. "=%s")
   end,
   pairs = function(value)
     local k, v = string.match(value, "^(%a[%w_]*)=(.+)$")
@@ -180,6 +185,9 @@ local function find(rows, name)
     if row[1] == name then return row end
     names[i] = row[1]
     if row[1] == foreign[name] then known = row[1] end
+  end
+  if not known and (name == "-o" or foreign[name] == "-o") then
+    return nil, "no option " .. name .. ": the result goes to standard output (add > FILE)"
   end
   return nil, "no option " .. name .. (known and "; did you mean " .. known .. "?" or options.meant(name, names))
 end
