@@ -104,7 +104,8 @@ function manual.command(name, version, date)
     page:section "OPTIONS"
     for _, row in ipairs(command.options) do
       local one_of = type(row[2]) == "table" and row.value and not row.each
-      page:entry(row[1], help.value(row), sentence(row[3]) .. (one_of and " One of " .. table.concat(row[2], ", ") .. "." or
+      local choices = one_of and " One of " .. table.concat(row[2], ", ") .. "."
+      page:entry(row[1], help.value(row), sentence(row[3]) .. (choices or
         "") .. (row.default and " Default: " .. row.default .. "." or ""))
       if row.each then
         page:inner(function()

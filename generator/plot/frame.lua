@@ -10,6 +10,7 @@ local svg = require "generator.draw.svg"
 local frame = {}
 
 local right, bottom, left = 36, 38, 58 -- room for names of curves, ticks and labels
+local least_room = svg.label_room({ 0, 1 }, false, 100) -- which `left` has
 local advance = 7.2 -- of a letter, in pixels, about
 
 -- Least and greatest of lists of numbers, a little wider; what is constant but for rounding gets a range around it.
@@ -126,7 +127,9 @@ function frame.over(d, p)
   local xs, xp = frame.power(xr)
   local ys, yp = 1.0, ""
   if not p.log then ys, yp = frame.power(yr) end
-  local f = { x0 = x0, y0 = box.y0 + above, x1 = x1, y1 = box.y1 - bottom,
+  local top, ends = box.y0 + above, box.y1 - bottom
+  x0 = x0 + svg.label_room({ yr[1] / ys, yr[2] / ys }, p.log, ends - top) - least_room
+  local f = { x0 = x0, y0 = top, x1 = x1, y1 = ends,
     xrange = { xr[1] / xs, xr[2] / xs }, yrange = { yr[1] / ys, yr[2] / ys }, ylog = p.log,
     xlabel = frame.label(p.x[1], p.x[2], xp), ylabel = frame.label(p.y[1], p.y[2], yp) }
   local scale = svg.frame(d, f)

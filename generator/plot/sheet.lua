@@ -39,7 +39,6 @@ function sheet.text(o, panels)
   local width = math.max(2 * margin + columns * wide, 460)
   local height = head + rows * high + margin
   local d = svg.new(width, height, { title = o.title, about = o.about, palette = styles })
-  d.used["area.cx"], d.used["area.cy"] = true, true
   d:text(margin + 4, 24, o.title, "title")
   if o.note then d:math(margin + 4, 42, o.note, "small") end
   for i, p in ipairs(panels) do
@@ -48,6 +47,7 @@ function sheet.text(o, panels)
     if p.note then d:math(x + 4, y + 34, p.note, "small") end
     p.draw(d, { x0 = x, y0 = y + above, x1 = x + wide - 6, y1 = y + high - 4 })
   end
+  d.used["area.cx"], d.used["area.cy"] = d.used.area, d.used.area
   return svg.text(d)
 end
 
