@@ -75,15 +75,15 @@ run.examples = {
 }
 
 -- What the end of a file's name promises and run does not write.
-local kept = { json = "json" }
+local promised = { json = "json" }
 for word in string.gmatch("xlsx xls ods tsv mat npy npz h5 hdf5 parquet svg png pdf html md tex", "%w+") do
-  kept[word] = "other"
+  promised[word] = "other"
 end
 
 -- Why a table is not written into a file of this name, or nil.
 local function misnamed(given)
   local ending = given.o and string.lower(string.match(given.o, "%.(%w+)$") or "")
-  local kind, format = kept[ending], given.format or "csv"
+  local kind, format = promised[ending], given.format or "csv"
   if not kind or kind == format then return nil end
   if kind == "json" then return "-o " .. given.o .. ": its name says JSON, and it would have CSV (--format json)" end
   return "-o " .. given.o .. ": run writes CSV or JSON, not " .. ending .. "; name it .csv" ..

@@ -28,7 +28,8 @@ function scenes.find(host, word)
   local names, folder = scenes.names(host)
   for _, name in ipairs(names or {}) do
     if name == word then
-      if host.read(word .. ".lua") then
+      local own = host.read(word .. ".lua")
+      if own and own ~= host.read(folder .. "/" .. word .. ".lua") then
         host.err("note: " .. word .. " is the installed scene; that of this folder is " .. word .. ".lua\n")
       end
       return folder .. "/" .. name .. ".lua"

@@ -229,14 +229,14 @@ function args.specs(given)
 end
 
 -- Reports keys that nothing will read.  specs: list with .name; specs.elsewhere: {key = the option of the command line
--- that says this}; extra: further allowed names.  Returns true where `x = 0,5` made the second half an entry of its own:
--- that is all that is said.
+-- that says this}; extra: further allowed names.  Returns true where `x = 0,5` made the second half an entry of
+-- its own: that is all that is said.
 function args.unknown(ctx, line, what, specs, given, extra)
   local known = {}
-  local at, comma = nil, nil
-  if given[1] ~= nil then at, comma = slips.entry(ctx.diag, line) end
-  if at then
-    ctx.diag:error(at, what, comma)
+  local torn, comma = nil, nil
+  if given[1] ~= nil then torn, comma = slips.entry(ctx.diag, line) end
+  if torn then
+    ctx.diag:error(torn, what, comma)
     return true
   end
   for _, s in ipairs(specs) do known[s.name] = true end

@@ -139,7 +139,9 @@ function slips.number(given, how)
   local whole, part = string.match(given, "^%s*(%-?%d*),(%d+)%s*$")
   if whole then return " (decimals have a point: " .. whole .. "." .. part .. ")" end
   local number, unit = string.match(given, "^%s*(%-?[%d.]+[eE]?[+-]?%d*)%s*([%a\xC2\xCE].*)$")
-  if number and R.parse(number) and #unit <= 60 and units.parse(unit) then return " (" .. string.format(how, number, unit) .. ")" end
+  if number and R.parse(number) and #unit <= 60 and units.parse(unit) then
+    return " (" .. string.format(how, number, unit) .. ")"
+  end
   return ""
 end
 

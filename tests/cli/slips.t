@@ -53,8 +53,8 @@ tap.ok(program.shell("test -e " .. dir .. "/x.xlsx") ~= 0, "no file of a wrong k
 
 do
   local status, out, err = run "explain brick"
-  tap.ok(status == 0 and out:find("^brick %(") and err:find("note: brick is the installed scene; that of this folder " ..
-    "is brick.lua\n", 1, true), "an installed scene beside a file of that name: which one it is", err)
+  tap.ok(status == 0 and out:find("^brick %(") and err:find("note: brick is the installed scene; that of this " ..
+    "folder is brick.lua\n", 1, true), "an installed scene beside a file of that name: which one it is", err)
   local _, whole = run "help effect.gravity"
   status, out, err = run "help gravity"
   tap.ok(status == 0 and err == "" and out == whole and #out > 100, "help gravity is that of effect.gravity", err)

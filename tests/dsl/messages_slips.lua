@@ -5,8 +5,8 @@ local forms = require "tests.dsl.forms"
 local after, number, identifier = forms.after, forms.number, forms.identifier
 
 local function scene(body, initial)
-  return 'return scene {\n  name = "s",\n  body = ' .. body .. ",\n  initial = { omega = " .. (initial or "{1, 2, 3}") ..
-    " } }\n"
+  return 'return scene {\n  name = "s",\n  body = ' .. body .. ",\n  initial = { omega = " ..
+    (initial or "{1, 2, 3}") .. " } }\n"
 end
 
 local letters = "names are of the letters a to z, digits and _"
@@ -34,7 +34,8 @@ return { {
   { after 'param("a", 0,5, "m")', 1,
     'param: unit must be a string such as "kg m^2" (decimals have a point: 0.5, not 0,5), got 5' },
   { scene "solid.box { x = 0,5, y = 2, z = 3, mass = 1 }", 3, "box: decimals have a point: 0.5, not 0,5" },
-  { scene "solid.box {\n    x = 1,\n    y = 2,25,\n    z = 3, mass = 1 }", 5, "box: decimals have a point: 2.25, not 2,25" },
+  { scene "solid.box {\n    x = 1,\n    y = 2,25,\n    z = 3, mass = 1 }", 5,
+    "box: decimals have a point: 2.25, not 2,25" },
   { scene 'solid.box { x = "-0,5", y = 2, z = 3, mass = 1 }', 3,
     "box: x " .. number .. ' (decimals have a point: -0.5), got "-0,5"' },
   { scene("solid.sphere { r = 1, mass = 1 }", "{0,5, 1, 2}"), 4,

@@ -237,7 +237,8 @@ function engines.general(host, job, given, course)
   local lines = course and course:linear()
   local scene = numeric.scene(job, nil, lines)
   if closed_form and #scene.effects > 0 then
-    return refused("--engine general --method " .. method .. " solves free tops, and this scene has effects")
+    return refused("--engine general --method " .. method .. " solves free tops, and this scene has effects" ..
+      (method == "exact" and job.closed.full and "; --engine generated has its closed form" or ""))
   end
   local motion = { method = method, order = orders[method], longest = limits.library, between = true,
     quick = 20000, epsilon = 2.0 ^ -52, closed = closed_form, adaptive = adaptive, exact = job.closed.full }
