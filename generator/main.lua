@@ -21,6 +21,14 @@ local function explained(word, more)
   if known[word] then return help.page(word) end
   local text, names = reference.help(word)
   if text then return text end
+  local members = {} -- gravity: effect.gravity
+  for _, name in ipairs(names) do
+    if string.match(name, "^%w+%.(.*)$") == word then members[#members + 1] = name end
+  end
+  if #members == 1 then return (reference.help(members[1])) end
+  if #members > 1 then
+    return nil, "no command " .. string.format("%q", word) .. "; there is " .. table.concat(members, ", ")
+  end
   local dotted = string.find(word, "[.:]") ~= nil
   return nil, (dotted and "no entry " or "no command ") .. string.format("%q", word) ..
     options.meant(word, dotted and names or help.names)

@@ -71,13 +71,13 @@ of a symmetric top rolls on its space cone. The **phase portrait** has L in the 
 equal energy. The orange dot is the start.
 ]]
 
--- The words of the scene's first comment, up to the first line that is none.
+-- The words of the scene's first comment, up to the first line that is none; but for the licence.
 local function about(file)
   local words = {}
   for line in io.lines(file) do
     local text = string.match(line, "^%-%-%s*(.*)$")
     if not text then break end
-    words[#words + 1] = text
+    if not string.find(text, "^SPDX") then words[#words + 1] = text end
   end
   return table.concat(words, " ")
 end

@@ -90,12 +90,6 @@ end
 
 -- ---- polhode-COMMAND(1) ----
 
-local function value(row)
-  if row[2] == false then return nil end
-  if row[2] == "pair" then return "NAME=NUMBER" end
-  return row.value or table.concat(row[2], "|")
-end
-
 function manual.command(name, version, date)
   local command = help.of(name)
   local page = roff.page("polhode-" .. name, 1, version, date, (string.gsub(command.forms[1][2], "%.$", "")))
@@ -110,7 +104,8 @@ function manual.command(name, version, date)
     page:section "OPTIONS"
     for _, row in ipairs(command.options) do
       local one_of = type(row[2]) == "table" and row.value and not row.each
-      page:entry(row[1], value(row), sentence(row[3]) .. (one_of and " One of " .. table.concat(row[2], ", ") .. "." or
+      local choices = one_of and " One of " .. table.concat(row[2], ", ") .. "."
+      page:entry(row[1], help.value(row), sentence(row[3]) .. (choices or
         "") .. (row.default and " Default: " .. row.default .. "." or ""))
       if row.each then
         page:inner(function()

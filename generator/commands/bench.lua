@@ -57,7 +57,7 @@ function bench.run(host, given)
   if over then return over end
   local inputs = driven.names(job.model)
   if inputs then host.err("warning: the inputs are 0: " .. inputs .. "\n") end
-  local bar = progress.of(host)
+  local bar = progress.of(host, "bench")
   local s, failure, numbers = study.of(host, job, given, bar.show)
   bar.clear()
   if not s then return options.failed(host, "bench", failure, numbers and 3) end

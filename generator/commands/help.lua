@@ -39,16 +39,17 @@ local function beside(out, left, right, indent, at)
   end
 end
 
--- What is written for an option's value, nothing for a flag.
-local function value(row)
-  if row[2] == false then return "" end
-  if row[2] == "pair" then return " NAME=NUMBER" end
-  return " " .. (row.value or table.concat(row[2], "|"))
+local named = { pair = "NAME=NUMBER", pairs = "NAME=X[,Y]", ranges = "NAME=LOW:HIGH" }
+
+-- What is written for an option's value, nil for a flag.
+function help.value(row)
+  return row[2] and (named[row[2]] or row.value or table.concat(row[2], "|")) or nil
 end
 
 local function option(out, row)
   local about = row[3] .. (row.default and " (default: " .. row.default .. ")" or "")
-  beside(out, row[1] .. value(row), about, 2, column)
+  local value = help.value(row)
+  beside(out, row[1] .. (value and " " .. value or ""), about, 2, column)
   if not row.each then return end
   for _, choice in ipairs(row[2]) do beside(out, choice, row.each[choice], column, column + 13) end
 end

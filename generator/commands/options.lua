@@ -3,14 +3,17 @@
 -- command.options is a list of rows, in the order in which help prints them:
 --     { "--step", "number", "what it does, with its unit", value = "H", default = "the scene's time.step" }
 -- The second field is the kind of value: false (a flag), text, texts (may be given again), number, numbers, words (with
--- commas between), pair (NAME=NUMBER, may be given again), or a list of choices (with several = true in it: any of
--- them, commas between; the result is also a set; elsewhere = {word = what to ask instead}).  value: what help calls
--- it; default: what holds without it (none for a flag and a pair); each = {choice = what it means}.
+-- commas between), pair (NAME=NUMBER, may be given again), pairs (the same, or NAME=NUMBER,NUMBER), ranges
+-- (NAME=LOW:HIGH, may be given again), or a list of choices (with several = true in it: any of them, commas between;
+-- the result is also a set; open = true: and other words, of which the command knows; elsewhere = {word = what to ask
+-- instead}).  value: what help calls it; default: what holds without it (none for a flag, a pair and ranges); each =
+-- {choice = what it means}.
 -- command.operands is {least, most, what they are}: SCENE (a file, -, or the name of an installed scene), FILE or WHAT.
 -- -o DIR and --name=value are understood.  The result of parse maps names without dashes.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local R = require "generator.algebra.rational"
+local slips = require "generator.dsl.slips"
 local nearest = require "generator.nearest"
 
 local options = {}
@@ -24,7 +27,7 @@ end
 -- The double nearest to what is written, or nil and the rule that it breaks.
 local function number(s)
   local q = R.parse(s)
-  if not q then return nil, "must be a number" end
+  if not q then return nil, "must be a number" .. slips.number(s, "without its unit: %s") end
   local x = R.todouble(q)
   if x == math.huge or x == -math.huge then return nil, "must be within the range of double" end
   return x
@@ -40,7 +43,7 @@ local kinds = {
     local list = {}
     for i, word in ipairs(split(s)) do
       local x, rule = number(word)
-      if not x then return nil, rule == "must be a number" and "must be numbers with commas between" or rule end
+      if not x then return nil, (string.gsub(rule, "^must be a number", "must be numbers with commas between")) end
       list[i] = x
     end
     return list
@@ -48,16 +51,36 @@ local kinds = {
   words = function(s) return split(s) end,
 }
 
+-- The text cut at commas outside of brackets, without blanks around the parts.
+function options.entries(text)
+  local list, depth, from = {}, 0, 1
+  for i = 1, #text do
+    local c = string.sub(text, i, i)
+    if string.find(c, "[({]") then depth = depth + 1 elseif string.find(c, "[)}]") then depth = depth - 1 end
+    if c == "," and depth <= 0 then
+      list[#list + 1] = string.sub(text, from, i - 1)
+      from = i + 1
+    end
+  end
+  list[#list + 1] = string.sub(text, from)
+  for i, s in ipairs(list) do list[i] = string.match(s, "^%s*(.-)%s*$") end
+  return list
+end
+
 -- "a, b or c"
 function options.either(list)
   if #list < 2 then return list[1] end
   return table.concat(list, ", ", 1, #list - 1) .. " or " .. list[#list]
 end
 
+-- What other programs call a value that some options have here by another name.
+local elsewhere = { tex = "latex", md = "markdown", htm = "html", typ = "typst", txt = "text" }
+
 -- "; did you mean b?" where the list has one word that begins with this one, or a word near to it; else nothing.
 function options.meant(word, list)
   local begun = {}
   for _, entry in ipairs(list) do
+    if entry == elsewhere[word] then return "; did you mean " .. entry .. "?" end
     if #word >= 2 and string.sub(entry, 1, #word) == word then begun[#begun + 1] = entry end
   end
   local best = #begun == 1 and begun[1] or nearest.one(word, list)
@@ -82,9 +105,9 @@ function options.unknown(name, list, known, alone)
 end
 
 local function chosen(row, value)
-  local list = row[2].several and split(value) or { value }
+  local list = row[2].several and (row[2].open and options.entries or split)(value) or { value }
   for _, word in ipairs(list) do
-    local known = false
+    local known = row[2].open and word ~= ""
     for _, w in ipairs(row[2]) do known = known or w == word end
     if not known and row[2].elsewhere and row[2].elsewhere[word] then
       return nil, row[1] .. " " .. word .. ": " .. row[2].elsewhere[word]
@@ -98,12 +121,34 @@ local function chosen(row, value)
   return row[2].several and list or value
 end
 
+-- NAME and what stands behind its = in values of these kinds, or nil and the rule.
+local named = {
+  pair = function(value)
+    local k, v = string.match(value, "^(%a[%w_]*)=(.+)$")
+    if k and R.parse(v) then return k, v end
+    return nil, "NAME=NUMBER" .. slips.number(v, "without its unit: " .. (k or "") .. "=%s")
+  end,
+  pairs = function(value)
+    local k, v = string.match(value, "^(%a[%w_]*)=(.+)$")
+    local list = k and split(v) or {}
+    for _, x in ipairs(list) do list = R.parse(x) and list or {} end
+    if #list == 1 or #list == 2 then return k, list end
+    return nil, "NAME=NUMBER or NAME=NUMBER,NUMBER"
+  end,
+  ranges = function(value)
+    local k, low, high = string.match(value, "^%s*(.-)%s*=%s*([^=:]+):([^=:]+)$")
+    low, high = number(low or ""), number(high or "")
+    if k ~= "" and low and high and low < high then return k, { low, high } end
+    return nil, "NAME=LOW:HIGH, with LOW below HIGH"
+  end,
+}
+
 -- One value of an option, put into out; a message if it is wrong.
 local function take(row, key, value, out)
   local name, kind = row[1], row[2]
-  if kind == "pair" then
-    local k, v = string.match(value, "^(%a[%w_]*)=(.+)$")
-    if not k or not R.parse(v) then return name .. " must be NAME=NUMBER, got " .. value end
+  if named[kind] then
+    local k, v = named[kind](value)
+    if not k then return name .. " must be " .. v .. ", got " .. value end
     out[key] = out[key] or {}
     if out[key][k] then return name .. " " .. k .. " is given twice" end
     out[key][k] = v
@@ -140,6 +185,9 @@ local function find(rows, name)
     if row[1] == name then return row end
     names[i] = row[1]
     if row[1] == foreign[name] then known = row[1] end
+  end
+  if not known and (name == "-o" or foreign[name] == "-o") then
+    return nil, "no option " .. name .. ": the result goes to standard output (add > FILE)"
   end
   return nil, "no option " .. name .. (known and "; did you mean " .. known .. "?" or options.meant(name, names))
 end

@@ -74,6 +74,23 @@ run.examples = {
     "two rows by the emitted code" },
 }
 
+-- What the end of a file's name promises and run does not write.
+local promised = { json = "json" }
+for word in string.gmatch("xlsx xls ods tsv mat npy npz h5 hdf5 parquet svg png pdf html md tex", "%w+") do
+  promised[word] = "other"
+end
+
+-- Why a table is not written into a file of this name, or nil.
+local function misnamed(given)
+  local ending = given.o and string.lower(string.match(given.o, "%.(%w+)$") or "")
+  local kind, format = promised[ending], given.format or "csv"
+  if not kind or kind == format then return nil end
+  if kind == "json" then return "-o " .. given.o .. ": its name says JSON, and it would have CSV (--format json)" end
+  return "-o " .. given.o .. ": run writes CSV or JSON, not " .. ending .. "; name it .csv" ..
+    (string.find(ending, "^xls") and ", which spreadsheets open" or "") ..
+    (string.find(ending, "^[sp]%wg$") and " (pictures: polhode plot)" or "")
+end
+
 -- The output times, or nil and what is wrong.
 local function times(job, given)
   if given.at then
@@ -192,6 +209,7 @@ function run.run(host, given)
       "nothing happens on the way: the scene has no events = { .. } and no plane")
   end
   if not events.check(job) then return options.refuse(host, job.diag) end
+  wrong = wrong or misnamed(given)
   wrong = wrong or given.warn and given.warn <= 0 and "--warn must be positive" or nil
   local warnings, course
   if not wrong then given.chosen, wrong = columns.of(host, job, given.columns, given) end

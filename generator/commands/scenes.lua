@@ -27,8 +27,15 @@ function scenes.find(host, word)
   if text then return word end
   local names, folder = scenes.names(host)
   for _, name in ipairs(names or {}) do
-    if name == word then return folder .. "/" .. name .. ".lua" end
+    if name == word then
+      local own = host.read(word .. ".lua")
+      if own and own ~= host.read(folder .. "/" .. word .. ".lua") then
+        host.err("note: " .. word .. " is the installed scene; that of this folder is " .. word .. ".lua\n")
+      end
+      return folder .. "/" .. name .. ".lua"
+    end
   end
+  if host.read(word .. ".lua") then return nil, why .. "; there is " .. word .. ".lua" end
   return nil, why .. ", and " .. (names and "no installed scene has that name" ..
     options.meant(word, names) .. " (polhode list bodies)" or folder)
 end

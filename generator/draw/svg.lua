@@ -224,6 +224,22 @@ function svg.log_ticks(lo, hi)
   return list
 end
 
+local function ticks_of(range, log, pixels)
+  if log then return svg.log_ticks(range[1], range[2]) end
+  local count = math.max(2, pixels / 60)
+  local list = svg.ticks(range[1], range[2], count)
+  return #list > 1 and list or svg.ticks(range[1], range[2], 2 * count)
+end
+
+-- How far left of the frame the y axis has its label: beyond its ticks, of which a letter is 6.2 pixels wide.
+function svg.label_room(range, log, pixels)
+  local most = 0
+  for _, t in ipairs(ticks_of(range, log, pixels)) do
+    if not string.find(t[2], "{", 1, true) then most = math.max(most, utf8.len(t[2])) end
+  end
+  return math.max(42, 6.2 * most + 8)
+end
+
 -- Draws the frame of a chart and returns its scale {x = function, y = function, at = function(x, y) -> px, py}.
 -- f: {x0, y0, x1, y1: the box in the picture, y0 above; xrange = {lo, hi}, yrange = {lo, hi}, xlabel =, ylabel =
 -- (subscripts as in doc:math), xlog =, ylog = true for a logarithmic axis, grid = false to leave it out}
@@ -235,19 +251,13 @@ function svg.frame(d, f)
   end
   local scale = { x = map(f.xrange, f.xlog, f.x0, f.x1), y = map(f.yrange, f.ylog, f.y1, f.y0) }
   function scale.at(x, y) return scale.x(x), scale.y(y) end
-  local function ticks(range, log, pixels)
-    if log then return svg.log_ticks(range[1], range[2]) end
-    local count = math.max(2, pixels / 60)
-    local list = svg.ticks(range[1], range[2], count)
-    return #list > 1 and list or svg.ticks(range[1], range[2], 2 * count)
-  end
-  for _, t in ipairs(ticks(f.xrange, f.xlog, f.x1 - f.x0)) do
+  for _, t in ipairs(ticks_of(f.xrange, f.xlog, f.x1 - f.x0)) do
     local x = scale.x(t[1])
     if f.grid ~= false then d:line(x, f.y0, x, f.y1, "grid") end
     d:line(x, f.y1, x, f.y1 - 4, "axis")
     d:math(x, f.y1 + 15, t[2], "tick", "middle")
   end
-  for _, t in ipairs(ticks(f.yrange, f.ylog, f.y1 - f.y0)) do
+  for _, t in ipairs(ticks_of(f.yrange, f.ylog, f.y1 - f.y0)) do
     local y = scale.y(t[1])
     if f.grid ~= false then d:line(f.x0, y, f.x1, y, "grid") end
     d:line(f.x0, y, f.x0 + 4, y, "axis")
@@ -255,7 +265,8 @@ function svg.frame(d, f)
   end
   d:rect(f.x0, f.y0, f.x1 - f.x0, f.y1 - f.y0, "frame")
   if f.xlabel then d:math((f.x0 + f.x1) / 2, f.y1 + 33, f.xlabel, "label", "middle") end
-  if f.ylabel then d:math(f.x0 - 42, (f.y0 + f.y1) / 2, f.ylabel, "label", "middle", -90) end
+  local room = svg.label_room(f.yrange, f.ylog, f.y1 - f.y0)
+  if f.ylabel then d:math(f.x0 - room, (f.y0 + f.y1) / 2, f.ylabel, "label", "middle", -90) end
   return scale
 end
 

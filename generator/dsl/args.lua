@@ -11,6 +11,7 @@ local coordinate = require "generator.algebra.coordinate"
 local expr = require "generator.algebra.expr"
 local motion = require "generator.algebra.motion"
 local turns = later "generator.interchange.turns"
+local slips = require "generator.dsl.slips"
 local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
 local diag = require "generator.diag"
@@ -117,6 +118,7 @@ end
 function args.scalar(ctx, line, what, name, spec, given)
   local r, why = value.of(given)
   if not r then
+    why = why .. slips.number(given, "a number with a unit is quantity(%s, \"%s\")")
     ctx.diag:error(line, what, name .. " " .. why, diag.show(given))
     return nil
   end
@@ -162,7 +164,8 @@ end
 -- A list of spec.size scalars; each entry is checked.
 function args.vector(ctx, line, what, name, spec, given)
   if not args.list(given, spec.size) then
-    ctx.diag:error(line, what, name .. " must be a list of " .. spec.size .. " numbers", diag.show(given))
+    local rule = name .. " must be a list of " .. spec.size .. " numbers"
+    ctx.diag:error(line, what, rule .. slips.comma(ctx.diag, line), diag.show(given))
     return nil
   end
   local v, ok = {}, true
@@ -226,9 +229,16 @@ function args.specs(given)
 end
 
 -- Reports keys that nothing will read.  specs: list with .name; specs.elsewhere: {key = the option of the command line
--- that says this}; extra: further allowed names.
+-- that says this}; extra: further allowed names.  Returns true where `x = 0,5` made the second half an entry of
+-- its own: that is all that is said.
 function args.unknown(ctx, line, what, specs, given, extra)
   local known = {}
+  local torn, comma = nil, nil
+  if given[1] ~= nil then torn, comma = slips.entry(ctx.diag, line) end
+  if torn then
+    ctx.diag:error(torn, what, comma)
+    return true
+  end
   for _, s in ipairs(specs) do known[s.name] = true end
   for _, s in ipairs(extra or {}) do known[s] = true end
   for _, k in ipairs(args.keys(given)) do
@@ -247,7 +257,7 @@ function args.read(ctx, line, what, specs, given, extra)
     ctx.diag:error(line, what, "takes a table of named arguments (" .. names(specs, extra) .. ")", diag.show(given))
     return {}, false
   end
-  args.unknown(ctx, line, what, specs, given, extra)
+  if args.unknown(ctx, line, what, specs, given, extra) then return {}, false end
   local out, ok = {}, true
   for _, spec in ipairs(specs) do
     local x = given[spec.name]

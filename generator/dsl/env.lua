@@ -20,6 +20,7 @@ local unitnames = require "generator.dsl.unitnames"
 local value = require "generator.dsl.value"
 local inertial = require "generator.dsl.inertial"
 local mesh = require "generator.dsl.mesh"
+local slips = require "generator.dsl.slips"
 local undefined = require "generator.dsl.undefined"
 local watched = require "generator.dsl.watched"
 local moving = require "generator.dsl.moving"
@@ -32,7 +33,9 @@ local env = {}
 local function unit(ctx, what, given)
   if given == nil then return expr.one, nil end
   if type(given) ~= "string" then
-    ctx.diag:error(ctx.diag:here(), what, "unit must be a string such as \"kg m^2\"", diag.show(given))
+    local line = ctx.diag:here()
+    ctx.diag:error(line, what, "unit must be a string such as \"kg m^2\"" .. slips.comma(ctx.diag, line),
+      diag.show(given))
     return expr.one, nil, true
   end
   local factor, dim = nil, "must have at most 60 characters"
@@ -50,7 +53,8 @@ local function number(ctx, what, name, given)
   local q, why = nil, "must be a plain number"
   if not value.is(given) then q, why = R.lift(given) end
   if not q then
-    ctx.diag:error(ctx.diag:here(), what, name .. " " .. why, diag.show(given))
+    local meant = slips.number(given, "the unit is a text of its own: %s, \"%s\"")
+    ctx.diag:error(ctx.diag:here(), what, name .. " " .. why .. meant, diag.show(given))
     return R.one
   end
   return q
@@ -63,7 +67,7 @@ local function param(ctx, params)
     local line = ctx.diag:here()
     local rule = names.parameter(name)
     if rule then
-      ctx.diag:error(line, "param", "name " .. rule, diag.show(name))
+      ctx.diag:error(line, "param", "name " .. rule .. slips.name(name), diag.show(name))
       return value.new(expr.one, nil)
     end
     local upper = string.upper(name)
@@ -225,8 +229,13 @@ local function stopped(d, raised)
   if d:failed() and (not by_lua or string.find(text, broken.mark, 1, true)) then return end
   local message = string.gsub(string.gsub(text, "^.-:%d+: ", ""), "%c", " ") -- may steer a terminal
   local word = raised.kind == "syntax" and string.match(message, "near '(%a+)'$")
-  if word and units.parse(word) then message = message .. " (a unit is given by quantity(30, \"" .. word .. "\"))" end
-  d:error(raised.line or 0, raised.kind == "syntax" and "syntax" or "script", message)
+  local line, said = raised.line or 0, message
+  if raised.kind == "syntax" then line, said = slips.syntax(d, line, message) end
+  if said == message and word and units.parse(word) then
+    said = message .. " (a unit is given by quantity(30, \"" .. word .. "\"))"
+  end
+  message = said
+  d:error(line, raised.kind == "syntax" and "syntax" or "script", message)
 end
 
 -- The emitted code's own names begin with the scene's: no parameter, no input and nothing of an effect may.

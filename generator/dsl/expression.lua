@@ -8,6 +8,7 @@
 local motion = require "generator.algebra.motion"
 local expr = require "generator.algebra.expr"
 local args = require "generator.dsl.args"
+local slips = require "generator.dsl.slips"
 local units = require "generator.dsl.units"
 local value = require "generator.dsl.value"
 local nearest = require "generator.nearest"
@@ -45,7 +46,8 @@ function expression.read(host, d, text, words, params)
     d:error(0, "expression", "no word " .. unknown .. " (it has " .. table.concat(names, ", ") .. ")" ..
       (best and "; did you mean " .. best .. "?" or ""))
   elseif not ok then
-    d:error(0, "expression", (string.gsub(string.gsub(first.message or "", "^.-:%d+: ", ""), "%c", " ")))
+    local message = string.gsub(string.gsub(first.message or "", "^.-:%d+: ", ""), "%c", " ")
+    d:error(0, "expression", select(2, slips.syntax(d, 1, message)))
   end
   if d:failed() then return nil end
   local r, why = value.of(first)

@@ -68,7 +68,8 @@ local function library(ctx, name, from)
 end
 
 -- Shapes that are asked for and are made of others.
-local made_of = { shell = {
+local made_of = { solid = {
+  cube = "it is solid.box{x = a, y = a, z = a, mass = M}" }, shell = {
   frustum = "it is shell.cone{r = R, h = H} - shell.cone{r = r, h = H r/R}:at{0, 0, H (1 - r/R)}, H whole" } }
 
 -- What to write in place of family.k, or "".

@@ -34,6 +34,31 @@ function curve.simplified(points, within)
   return out
 end
 
+-- The pieces of a polyline inside the rectangle x0, y0, x1, y1: Liang and Barsky 1984, for each of its lines.
+function curve.clipped(points, x0, y0, x1, y1)
+  local pieces, here = {}, nil
+  for i = 2, #points do
+    local a, b = points[i - 1], points[i]
+    local dx, dy, from, to = b[1] - a[1], b[2] - a[2], 0.0, 1.0
+    for _, edge in ipairs { { -dx, a[1] - x0 }, { dx, x1 - a[1] }, { -dy, a[2] - y0 }, { dy, y1 - a[2] } } do
+      local p, q = edge[1], edge[2]
+      if p == 0 then
+        if q < 0 then to = -1 end
+      elseif p < 0 then from = math.max(from, q / p) else to = math.min(to, q / p) end
+    end
+    if from > to then here = nil else
+      local function at(s) return { a[1] + s * dx, a[2] + s * dy } end
+      if not here or from > 0 then
+        here = { at(from) }
+        pieces[#pieces + 1] = here
+      end
+      here[#here + 1] = to < 1 and at(to) or b
+      if to < 1 then here = nil end
+    end
+  end
+  return pieces
+end
+
 -- Tenths of a pixel as text: "-.4".
 local function tenths(n)
   local s = string.format("%s%d.%d", n < 0 and "-" or "", math.abs(n) // 10, math.abs(n) % 10)

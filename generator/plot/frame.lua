@@ -10,6 +10,7 @@ local svg = require "generator.draw.svg"
 local frame = {}
 
 local right, bottom, left = 36, 38, 58 -- room for names of curves, ticks and labels
+local least_room = svg.label_room({ 0, 1 }, false, 100) -- which `left` has
 local advance = 7.2 -- of a letter, in pixels, about
 
 -- Least and greatest of lists of numbers, a little wider; what is constant but for rounding gets a range around it.
@@ -72,46 +73,82 @@ local function spread(list, low, high)
   end
 end
 
--- p: {box =, x = {name, unit}, y = {name, unit}, xs = numbers, curves = {{name =, class =, values =, breaks = set of
--- indices where the pen is lifted}, ...}, log = a logarithmic y axis, yrange =, mark = {x, words} of an upright line,
--- the words at its left}
-function frame.over(d, p)
-  local box, lists, room = p.box, {}, right
-  for i, c in ipairs(p.curves) do
-    lists[i] = c.values
-    room = math.max(room, 14 + advance * utf8.len(c.name))
+local row, item, longest = 16, 34, 8 -- pixels of the legend; letters of a name that stands at a curve's end
+
+-- Draws rows of short lines with what they mean, {class, text}, from (x, y) on to x1; returns their height.
+local function legend(d, list, x, y, x1)
+  local at, height = x, 0
+  for _, l in ipairs(list) do
+    local wide = item + advance * utf8.len(l[2])
+    if at > x and at + wide > x1 then at, height = x, height + row end
+    d:line(at, y + height + 5, at + 20, y + height + 5, "line " .. l[1])
+    d:math(at + 25, y + height + 9, l[2], "small")
+    at = at + wide
   end
-  local xr = { p.xs[1], p.xs[#p.xs] }
-  local yr = p.yrange or frame.range(lists, p.zero)
+  return #list > 0 and height + row + 2 or 0
+end
+
+-- Path data of a curve, and its last point.  With ranges what leaves the frame is cut off; a logarithmic axis has no 0.
+local function path_of(c, p, f, point)
+  local data, points, last = {}, {}, nil
+  local function lift()
+    local cut = p.xrange or p.yrange
+    for _, piece in ipairs(cut and curve.clipped(points, f.x0, f.y0, f.x1, f.y1) or { points }) do
+      if #piece > 0 then data[#data + 1], last = curve.path(piece), piece[#piece] end
+    end
+    points = {}
+  end
+  for i, v in ipairs(c.values) do
+    if c.breaks and c.breaks[i] then lift() end
+    if p.log and v <= 0 then lift() else points[#points + 1] = point(c.xs[i], v) end
+  end
+  lift()
+  return table.concat(data), last
+end
+
+-- p: {box =, x = {name, unit}, y = {name, unit}, curves = {{name =, class =, xs =, values =, breaks = set of indices
+-- where the pen is lifted}, ...}, log = a logarithmic y axis, xrange =, yrange =, mark = {x, words} of an upright line,
+-- the words at its left, legend = {{class, text}, ...}}.  Names are at the ends of curves; long ones in the legend.
+function frame.over(d, p)
+  local box, lists, times, named, keys, long = p.box, {}, {}, {}, {}, 0
+  for i, c in ipairs(p.curves) do
+    lists[i], times[i] = c.values, { c.xs[1], c.xs[#c.xs] }
+    long = math.max(long, utf8.len(c.name))
+    if c.name ~= "" then named[#named + 1] = { c.class, c.name } end
+  end
+  local at_ends = #named > 1 and long <= longest
+  for _, l in ipairs(#named > 1 and not at_ends and named or {}) do keys[#keys + 1] = l end
+  for _, l in ipairs(p.legend or {}) do keys[#keys + 1] = l end
+  local x0, x1 = box.x0 + left, box.x1 - (at_ends and math.max(right, 14 + advance * long) or right)
+  local above = legend(d, keys, x0, box.y0, x1)
+  local low, high = math.huge, -math.huge
+  for _, ends in ipairs(times) do low, high = math.min(low, ends[1]), math.max(high, ends[2]) end
+  local xr, yr = p.xrange or { low, high }, p.yrange or frame.range(lists, p.zero)
   local xs, xp = frame.power(xr)
   local ys, yp = 1.0, ""
   if not p.log then ys, yp = frame.power(yr) end
-  local f = { x0 = box.x0 + left, y0 = box.y0, x1 = box.x1 - room, y1 = box.y1 - bottom,
+  local top, ends = box.y0 + above, box.y1 - bottom
+  x0 = x0 + svg.label_room({ yr[1] / ys, yr[2] / ys }, p.log, ends - top) - least_room
+  local f = { x0 = x0, y0 = top, x1 = x1, y1 = ends,
     xrange = { xr[1] / xs, xr[2] / xs }, yrange = { yr[1] / ys, yr[2] / ys }, ylog = p.log,
     xlabel = frame.label(p.x[1], p.x[2], xp), ylabel = frame.label(p.y[1], p.y[2], yp) }
   local scale = svg.frame(d, f)
-  if p.mark then
+  if p.mark and p.mark[1] >= xr[1] and p.mark[1] <= xr[2] then
     local x = scale.x(p.mark[1] / xs)
     d:line(x, f.y0, x, f.y1, "ring")
     d:text(x - 5, f.y0 + 14, p.mark[2], "small", "end")
   end
   local names = {}
   for place, c in ipairs(p.curves) do
-    local data, points = {}, {}
-    local function lift()
-      if #points > 0 then data[#data + 1] = curve.path(points) end
-      points = {}
+    local data, last = path_of(c, p, f, function(x, y) return { scale.x(x / xs), scale.y(y / ys) } end)
+    if last then
+      d:path(data, "line " .. c.class)
+      if c.name ~= "" then names[#names + 1] = { x = last[1], y = last[2], c = c, place = place } end
     end
-    for i, v in ipairs(c.values) do
-      if c.breaks and c.breaks[i] then lift() end
-      points[#points + 1] = { scale.x(p.xs[i] / xs), scale.y(v / ys) }
-    end
-    lift()
-    if #data > 0 then d:path(table.concat(data), "line " .. c.class) end
-    names[place] = { y = scale.y(c.values[#c.values] / ys), c = c, place = place }
   end
+  if not at_ends then return scale end
   spread(names, f.y0 + 4, f.y1 - 2)
-  for _, n in ipairs(#p.curves > 1 and names or {}) do
+  for _, n in ipairs(names) do
     d:line(f.x1 + 1, n.y, f.x1 + 9, n.at, "line " .. n.c.class)
     d:math(f.x1 + 12, n.at + 4, n.c.name, "end")
   end

@@ -2,10 +2,11 @@
 --
 -- A course is what the pictures are made from: {samples, body, conserved = {law = true}, sequence = of Euler's angles,
 -- kinetic = function(sample) or nil, along = I v along the body's axes, momentum = L of a sample along them, carries =
--- does a rotor or wheel have momentum of its own?, error = {methods, ts, curves = {{name, values}, ..}}, column = are
--- the samples rows of a file?}.  A sample has t and, where they are known, q, w, space (w in inertial axes), L,
--- energy, r (of a body on a plane: its centre of mass), N and point: the reaction of that plane and where the body
--- touches it.  course.plane: its normal, e1 and e2; course.lost: when N becomes 0, where the motion ends.
+-- does a rotor or wheel have momentum of its own?, error = {names of two runs, ts, curves = {{name, values}, ..}},
+-- column = are the samples rows of a file?, asked = {[what a user wrote] = panels of its columns (times.asked)}}.  A
+-- sample has t and, where they are known, q, w, space (w in inertial axes), L, energy, r (of a body on a plane: its
+-- centre of mass), N and point: the reaction of that plane and where the body touches it; asked = values of those
+-- columns.  course.plane: its normal, e1 and e2; course.lost: when N becomes 0, where the motion ends.
 -- A body: {moments (ascending), axes (rows), kind, rod, k = the axis of a symmetric one}; nil without a scene.
 -- Whether a motion is a free body's is seen from its numbers, so rows of a file are judged, too.
 -- SPDX-License-Identifier: GPL-3.0-or-later
@@ -18,8 +19,8 @@ local space = require "generator.plot.space"
 local times = require "generator.plot.times"
 local trails = require "generator.plot.trails"
 
-local panels = { names = { "rates", "attitude", "axes", "euler", "energy", "momentum", "polhode", "herpolhode", "cones",
-  "phase", "path", "contact", "normal_force", "error" } }
+local panels = { names = { "rates", "attitude", "axes", "euler", "energy", "momentum", "L_body", "polhode",
+  "herpolhode", "cones", "phase", "path", "contact", "normal_force", "error" } }
 
 local still = 1e-6 -- what changes by less is constant on paper
 
@@ -115,6 +116,9 @@ makers.energy = times.energy
 function reasons.momentum(course) return lacks(course, "L") end
 makers.momentum = times.momentum
 
+function reasons.L_body(course) return lacks(course, "q", "L") end
+function makers.L_body(course) return { times.momentum_body(course) } end
+
 function reasons.polhode(course) return not_free(course) or round(course) end
 function makers.polhode(course)
   local I, w = course.body.moments, principal(course, function(s) return s.w end)
@@ -155,7 +159,8 @@ function makers.cones(course)
   local s = course.samples[1]
   local c = cones.of(s.w, course.along(s.w), course.body.k)
   return { { title = "Cones: the body's rolls on the one in space", note = "half angles: body " ..
-    times.number(math.deg(c.body)) .. "°, space " .. times.number(math.deg(c.space)) .. "°",
+    times.number(math.deg(c.body)) .. "°, space " .. times.number(math.deg(c.space)) .. "°" ..
+    (cones.opened(c) > 1 and "; drawn " .. times.number(cones.opened(c)) .. " times as large" or ""),
     draw = function(d, box) cones.draw(d, box, c) end } }
 end
 
@@ -230,14 +235,15 @@ function reasons.normal_force(course) return lacks(course, "N") end
 function makers.normal_force(course) return { times.reaction(course) } end
 
 function reasons.error(course)
-  return not course.error and (course.column and "a file has one motion" or "it needs two methods: --method A,B") or nil
+  if course.error then return nil end
+  return course.column and "a file has one motion" or "it needs two runs: --method A,B or --step H,H/2"
 end
 function makers.error(course) return { times.difference(course) } end
 
 -- ---- for the command ----
 
 -- The reason why a picture has no meaning for the motion, or nil.
-function panels.refused(course, name) return reasons[name](course) end
+function panels.refused(course, name) return reasons[name] and reasons[name](course) end
 
 -- A sheet of what has a meaning, without saying the same twice.
 function panels.usual(course)
@@ -264,13 +270,15 @@ function panels.usual(course)
   return names
 end
 
--- (second and third result: where the time of all curves is cut, and where it ends)
+-- The panels of the pictures, and of the columns that a user asks for, in their order.
 function panels.of(course, names)
   local out = {}
-  for _, name in ipairs(names) do
-    for _, p in ipairs(makers[name](course)) do out[#out + 1] = p end
+  for i, name in ipairs(names) do
+    out[i] = makers[name] and makers[name](course) or list(course.asked[name], function(one)
+      return times.asked(course, one)
+    end)
   end
-  return out, times.together(out)
+  return out
 end
 
 -- The parts of a sample that follow from others.

@@ -43,7 +43,9 @@ local function chosen(points, a)
   return best
 end
 
--- The scale and place at which all points fit into the box.
+local names_need = 22 -- pixels around, beyond the arrows' heads
+
+-- The scale and place at which all points fit into the box, with their names.
 local function fitted(camera, points, box)
   local low, high = { math.huge, math.huge }, { -math.huge, -math.huge }
   for _, p in ipairs(points) do
@@ -51,25 +53,26 @@ local function fitted(camera, points, box)
       low[k], high[k] = math.min(low[k], v), math.max(high[k], v)
     end
   end
-  local scale = math.min((box.x1 - box.x0) / (high[1] - low[1]), (box.y1 - box.y0) / (high[2] - low[2]))
+  local scale = math.min((box.x1 - box.x0 - 2 * names_need) / (high[1] - low[1]),
+    (box.y1 - box.y0 - 2 * names_need) / (high[2] - low[2]))
   return space.projection(camera, scale, (box.x0 + box.x1) / 2 - scale * (low[1] + high[1]) / 2,
     (box.y0 + box.y1) / 2 + scale * (low[2] + high[2]) / 2)
 end
 
+local longer = 0.22 -- of the longest half axis: the arrows
+
+-- The ends of axis i on the side of the eye: on the surface, and the arrow's.
+local function ends(a, i, camera)
+  local from, to = { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }
+  from[i], to[i] = a[i], a[i] + longer * math.max(a[1], a[2], a[3])
+  return from, to, camera.eye[i] >= 0
+end
+
 local function axes(d, a, map, camera, names)
+  local taken = {}
   for i = 1, 3 do
-    local sign = camera.eye[i] >= 0 and 1 or -1
-    for _, s in ipairs { sign, -sign } do
-      local from, to = { 0.0, 0.0, 0.0 }, { 0.0, 0.0, 0.0 }
-      local most = math.max(a[1], a[2], a[3])
-      from[i], to[i] = s * a[i], s * (a[i] + 0.22 * most)
-      local p, q = map(from), map(to)
-      if s > 0 then d:arrow(p[1], p[2], q[1], q[2], s == sign and "axis" or "axis far", 5) end
-      if s > 0 then
-        local l = math.max(1e-9, math.sqrt((q[1] - p[1]) ^ 2 + (q[2] - p[2]) ^ 2))
-        d:math(q[1] + 10 * (q[1] - p[1]) / l, q[2] + 10 * (q[2] - p[2]) / l + 4, names[i], "math", "middle")
-      end
-    end
+    local from, to, near = ends(a, i, camera)
+    space.arrow(d, map(from), map(to), names[i], near and "axis" or "axis far", taken)
   end
 end
 
@@ -80,8 +83,7 @@ function quadric.draw(d, box, q)
   local edge = outline(a, camera.eye)
   local reach = { table.unpack(edge) }
   for i = 1, 3 do
-    local tip = { 0.0, 0.0, 0.0 }
-    tip[i] = a[i] + 0.3 * math.max(a[1], a[2], a[3])
+    local _, tip = ends(a, i, camera)
     reach[#reach + 1] = tip
   end
   local map = fitted(camera, reach, box)

@@ -21,9 +21,11 @@ local function components(s)
       list[#list + 1] = x
     end
   end
-  for _, x in ipairs(s.own or {}) do
-    first_of[#list + 1] = #list + 1
-    list[#list + 1] = x
+  for _, single in ipairs { s.own or {}, s.asked or {} } do
+    for _, x in ipairs(single) do
+      first_of[#list + 1] = #list + 1
+      list[#list + 1] = x
+    end
   end
   return list, first_of
 end

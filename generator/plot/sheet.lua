@@ -26,7 +26,7 @@ local styles = {
   { "ring", "fill:none;stroke:#d55e00;stroke-width:1.1;stroke-dasharray:5 3", "stroke:#e69f00" },
   { "area", "stroke:none;fill-opacity:.16", },
   { "area.cx", "fill:#005a8e", "fill:#56b4e9" },
-  { "area.cz", "fill:#009e73", "fill:#009e73" },
+  { "area.cy", "fill:#d55e00", "fill:#e69f00" },
   { "start", "fill:#d55e00;stroke:#fff;stroke-width:.8", "fill:#e69f00;stroke:#15181d" },
   { "end", "font:italic 13px serif;fill:#222", "fill:#e6e9ee" },
   { "head", "font:bold 13px sans-serif;fill:#222", "fill:#e6e9ee" },
@@ -39,7 +39,6 @@ function sheet.text(o, panels)
   local width = math.max(2 * margin + columns * wide, 460)
   local height = head + rows * high + margin
   local d = svg.new(width, height, { title = o.title, about = o.about, palette = styles })
-  d.used["area.cx"], d.used["area.cz"] = true, true
   d:text(margin + 4, 24, o.title, "title")
   if o.note then d:math(margin + 4, 42, o.note, "small") end
   for i, p in ipairs(panels) do
@@ -48,6 +47,7 @@ function sheet.text(o, panels)
     if p.note then d:math(x + 4, y + 34, p.note, "small") end
     p.draw(d, { x0 = x, y0 = y + above, x1 = x + wide - 6, y1 = y + high - 4 })
   end
+  d.used["area.cx"], d.used["area.cy"] = d.used.area, d.used.area
   return svg.text(d)
 end
 

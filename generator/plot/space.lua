@@ -87,4 +87,17 @@ function space.draw(d, points, map, value, class)
   end
 end
 
+-- An arrow on paper from p to q with its name beyond the head; `taken`: where names are already, which it avoids.
+function space.arrow(d, p, q, name, class, taken)
+  local far = math.max(1e-9, math.sqrt((q[1] - p[1]) ^ 2 + (q[2] - p[2]) ^ 2))
+  local ux, uy = (q[1] - p[1]) / far, (q[2] - p[2]) / far
+  d:arrow(p[1], p[2], q[1], q[2], class, 6)
+  local x, y = q[1] + 10 * ux, q[2] + 12 * uy + 4
+  for _, other in ipairs(taken) do
+    if math.abs(other[1] - x) < 30 and math.abs(other[2] - y) < 15 then y = other[2] - 15 end
+  end
+  taken[#taken + 1] = { x, y }
+  d:math(x, y, name, "math", ux > 0.3 and "start" or ux < -0.3 and "end" or "middle")
+end
+
 return space

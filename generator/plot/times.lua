@@ -58,22 +58,27 @@ local function enough(curves, n)
 end
 
 -- A panel of curves over time.  p: {title =, note =, y = {name, unit}, curves = {{name, values, class =, breaks =},
--- ...}, whole = all of the time, however often they turn, log =, yrange =, mark =}; ts: the times
+-- ...}, whole = all of the time, however often they turn, log =, yrange =, mark =}; ts: the times.
+-- The panel says so by `over`, and has these fields and `xrange` until it is drawn: what a user asks for, or a second
+-- run (plot/pair.lua), may change them.
 function times.panel(ts, p)
   local curves = {}
   for i, c in ipairs(p.curves) do
-    curves[i] = { name = c[1], values = c[2], class = c.class or colours[i], breaks = c.breaks }
+    curves[i] = { name = c[1], values = c[2], class = c.class or colours[i], breaks = c.breaks, xs = ts }
   end
   local n = p.whole and #ts or enough(curves, #ts)
-  local panel = { title = p.title, note = p.note, shown = ts[n], finish = ts[#ts], whole = p.whole }
+  local panel = { over = true, title = p.title, note = p.note, shown = ts[n], finish = ts[#ts], whole = p.whole,
+    y = p.y, curves = curves, log = p.log, yrange = p.yrange, mark = p.mark }
   function panel.draw(d, box, to)
-    local xs = {}
-    for i, t in ipairs(ts) do xs[i] = t <= (to or ts[n]) and t or nil end
-    local cut = list(curves, function(c)
-      return { name = c.name, values = { table.unpack(c.values, 1, #xs) }, class = c.class, breaks = c.breaks }
+    to = to or not panel.xrange and panel.shown or math.huge
+    local cut = list(panel.curves, function(c)
+      local n_of = 0
+      while c.xs[n_of + 1] and c.xs[n_of + 1] <= to do n_of = n_of + 1 end
+      return { name = c.name, class = c.class, breaks = c.breaks, xs = { table.unpack(c.xs, 1, n_of) },
+        values = { table.unpack(c.values, 1, n_of) } }
     end)
-    frame.over(d, { box = box, x = { "t", "s" }, y = p.y, xs = xs, curves = cut, log = p.log, yrange = p.yrange,
-      mark = p.mark })
+    frame.over(d, { box = box, x = { "t", "s" }, y = panel.y, curves = cut, log = panel.log, xrange = panel.xrange,
+      yrange = panel.yrange, mark = panel.mark, legend = panel.legend })
   end
   return panel
 end
@@ -84,15 +89,14 @@ end
 function times.together(panels)
   local to, finish = math.huge, 0.0
   for _, p in ipairs(panels) do
-    if p.shown and not p.whole then to, finish = math.min(to, p.shown), math.max(finish, p.finish) end
+    if p.over and not p.whole then to, finish = math.min(to, p.shown), math.max(finish, p.finish) end
   end
   if to >= finish then return nil end
   for _, p in ipairs(panels) do
-    if p.shown then
+    if p.over then
       local part = p.whole and "all " or "the first " .. times.number(to) .. " s of "
       p.note = (p.note and p.note .. "; " or "") .. part .. times.number(finish) .. " s"
-      local draw = p.draw
-      p.draw = p.whole and draw or function(d, box) draw(d, box, to) end
+      p.shown = p.whole and p.shown or to
     end
   end
   return to, finish
@@ -222,6 +226,11 @@ function times.momentum(course)
   return out
 end
 
+function times.momentum_body(course)
+  return times.panel(ts_of(course), { title = "Angular momentum, body axes", y = { "L", "N m s" },
+    curves = components(course, function(s) return rotation.back(s.q, s.L) end, { "L_x", "L_y", "L_z" }, "|L|") })
+end
+
 -- The reaction of a plane; where it becomes 0, contact is lost, and a line tells when.
 function times.reaction(course)
   local lost = course.lost
@@ -231,24 +240,55 @@ function times.reaction(course)
       class = "cn" } } })
 end
 
--- The difference of two methods, on a logarithmic scale; what is 0 is drawn at the lower edge.
+-- Where a logarithmic axis begins: below it is what a curve has at its start, where an error grows from 0, and where it
+-- happens to pass 0.  Of each curve a fiftieth of the time and a fiftieth of the values may be there.
+local function lowest(ts, curves, high)
+  local low = high
+  for _, c in ipairs(curves) do
+    local later = {}
+    for i, x in ipairs(c.values) do
+      if x > 0 and ts[i] > ts[#ts] / 50 then later[#later + 1] = x end
+    end
+    table.sort(later)
+    low = math.min(low, later[1 + #later // 50] or high)
+  end
+  return low
+end
+
+-- The difference of two runs, on a logarithmic scale; where it is 0 there is no curve.
 function times.difference(course)
   local e = course.error
-  local low, high, curves = math.huge, 0.0, {}
+  local high = 0.0
   for _, c in ipairs(e.curves) do
-    for _, x in ipairs(c.values) do
-      if x > 0 then low, high = math.min(low, x), math.max(high, x) end
+    for _, x in ipairs(c.values) do high = math.max(high, x) end
+  end
+  if high == 0 then high = 1e-16 end
+  local from = math.floor(math.log(math.max(lowest(e.ts, e.curves, high), 1e-19), 10))
+  local to = math.max(math.ceil(math.log(high, 10)), from + 1)
+  return times.panel(e.ts, { title = "Difference of " .. e.names[1] .. " and " .. e.names[2], whole = true,
+    note = "attitude: |q − q'|; all else: in parts of the largest", y = { "difference", "1" },
+    curves = list(e.curves, function(c) return { c.name, c.values } end), log = true,
+    yrange = { 10.0 ^ from, 10.0 ^ to } })
+end
+
+-- Curves of columns that a user asks for: {title =, note =, list of {name =, unit =, place in sample.asked}}.  What has
+-- a name with a blank or brackets is named in a legend.
+function times.asked(course, one)
+  local curves, units, names = {}, {}, {}
+  for i, c in ipairs(one) do
+    local values, breaks = list(course.samples, function(s) return s.asked[c.place] end), {}
+    for k = 2, c.unit == "rad" and #values or 0 do -- an angle that goes on at the other end of its range
+      breaks[k] = math.abs(values[k] - values[k - 1]) > math.pi
     end
+    curves[i] = { (string.gsub(c.name, "^(%a%w*)_([%w_]+)$", function(a, b)
+      return a .. "_{" .. string.gsub(b, "_", " ") .. "}"
+    end)), values, breaks = breaks, class = colours[(i - 1) % #colours + 1] }
+    units[c.unit or "1"], names[i] = true, curves[i][1]
   end
-  if high == 0 then low, high = 1e-17, 1e-15 end
-  local least = math.max(low, 1e-19)
-  for i, c in ipairs(e.curves) do
-    curves[i] = { c.name, list(c.values, function(x) return math.max(x, least) end) }
-  end
-  local from, to = math.floor(math.log(least, 10)), math.ceil(math.log(high, 10))
-  return times.panel(e.ts, { title = "Difference of " .. e.methods[1] .. " and " .. e.methods[2], whole = true,
-    note = "attitude: |q − q'|; all else: in parts of the largest", y = { "difference", "1" }, curves = curves,
-    log = true, yrange = { 10.0 ^ from, 10.0 ^ math.max(to, from + 1) } })
+  local unit = next(units)
+  local all = table.concat(names, ", ")
+  return times.panel(ts_of(course), { title = one.title, note = one.note, curves = curves,
+    y = next(units, unit) and { all, "1" } or { all, unit } })
 end
 
 return times

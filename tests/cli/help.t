@@ -28,7 +28,8 @@ end
 
 -- ---- the tables ----
 
-local KINDS = { text = true, texts = true, number = true, numbers = true, words = true, pair = true }
+local KINDS = { text = true, texts = true, number = true, numbers = true, words = true, pair = true, pairs = true,
+  ranges = true }
 
 -- What is wrong with a row of options, in words.
 local function row_faults(row)
@@ -40,7 +41,7 @@ local function row_faults(row)
   need(name:find "^%-%-%l[%l%-]*$" or name == "-o", "the name of an option")
   need(kind == false or type(kind) == "table" or KINDS[kind], "a kind of value")
   need(type(about) == "string" and #about >= 15 and not about:find "%.$", "an explanation without a full stop")
-  if kind == false or kind == "pair" then
+  if kind == false or kind == "pair" or kind == "pairs" or kind == "ranges" then
     need(row.default == nil and row.value == nil, "a flag and a pair have no value and no default")
   else
     need(type(row.default) == "string" and row.default ~= "", "what holds without it")

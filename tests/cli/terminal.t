@@ -66,6 +66,21 @@ do
   tap.ok(said[3]:find "^\r +\r$" and #said[3] >= #said[1], "and is cleared")
 end
 
+do -- without a terminal: a line every ten seconds of a command that takes minutes, nothing of others
+  local said, now = {}, 0
+  local pipe = { isatty = function() return false end, clock = function() return now end,
+    err = function(text) said[#said + 1] = text end }
+  local bar, silent = progress.of(pipe, "bench"), progress.of(pipe)
+  for i = 0, 100 do
+    now = i / 4
+    bar.show("rk4", i / 200)
+    silent.show("rk4", i / 200)
+  end
+  bar.clear()
+  tap.is(table.concat(said), "polhode bench: 20 % done, 40 s left; rk4\npolhode bench: 40 % done, 30 s left; rk4\n",
+    "bench tells where it is when its messages go into a file")
+end
+
 -- ---- the program ----
 
 program.write(dir .. "/bad.lua", 'return scene { name = "b", body = solid.box { x = 1, y = 1, z = 1, mass = -1 } }\n')

@@ -28,6 +28,7 @@ end
 pipe:close()
 tap.is(count, 0, "nothing else is in it")
 tap.is(program.read "docs/gallery.md", gallery.page(), "docs/gallery.md is up to date (make gallery)")
+tap.ok(not program.read "docs/gallery.md":find("SPDX", 1, true), "no caption has a scene's licence line")
 tap.ok(program.read "README.md":find("docs/gallery/tennis_racket.svg", 1, true), "README shows one")
 
 -- Numbers in tenths of a pixel may differ by one between machines, the words and the number of curves may not.

@@ -15,7 +15,7 @@ local tap = require "tests.tap"
 local tier = require "tests.tier"
 local program = require "tests.cli.program"
 local tables = { require "tests.dsl.messages_names", require "tests.dsl.messages_shapes",
-  require "tests.dsl.messages_rows", require "tests.dsl.messages_plane",
+  require "tests.dsl.messages_rows", require "tests.dsl.messages_plane", require "tests.dsl.messages_slips",
   (require "tests.dsl.messages_scenes") }
 
 local dir = program.directory()

@@ -170,7 +170,7 @@ local placement = { about = "placement",
 }
 
 local families = { about = "unknown names",
-  { body "solid.cube { x = 1 }", 2, "solid: has no \"cube\" (nearest: tube)" },
+  { body "solid.cub { x = 1 }", 2, "solid: has no \"cub\"" },
   { body "solid.cubes", { 2, "solid: has no \"cubes\"" },
     name = "not even called" },
   { body "plate.square { x = 1 } + rod.curved { r = 1 }", { 2, "plate: has no \"square\"" },

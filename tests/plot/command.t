@@ -57,6 +57,21 @@ for _, name in ipairs(names) do
       end
     end
     tap.is(outside, 0, name .. ": no curve leaves the picture")
+    outside = 0
+    for shape in text:gmatch '<polygon class="[^"]*" points="([^"]*)"' do
+      for x, y in shape:gmatch "([^ ,]+),([^ ,]+)" do
+        local inside = tonumber(x) >= 0 and tonumber(x) <= tonumber(wide) and tonumber(y) >= 0 and
+          tonumber(y) <= tonumber(high)
+        outside = outside + (inside and 0 or 1)
+      end
+    end
+    for class, x, y, more in text:gmatch '<text class="(%l+)" x="([^"]*)" y="([^"]*)"([^>]*)>' do
+      local left, right = tonumber(x), tonumber(x) -- a name of two letters is 20 pixels wide
+      if class == "math" and more:find("end", 1, true) then left = left - 20 else right = right + 20 end
+      outside = outside + ((class ~= "math" or left >= 0 and right <= tonumber(wide) and tonumber(y) >= 12 and
+        tonumber(y) <= tonumber(high)) and 0 or 1)
+    end
+    tap.is(outside, 0, name .. ": nor does an arrow's head or a name")
     program.write(dir .. "/" .. name .. ".svg", text)
     local code, said = program.run("local e, why = host.xml(host.read '" .. dir .. "/" .. name .. ".svg')\n" ..
       "say(e and e.name .. ' ' .. e.at.viewBox or why)")
@@ -135,14 +150,26 @@ refused("plot bodies/heavy_top.lua --what polhode", "polhode: the motion is not 
 refused("plot bodies/heavy_top.lua --what polhode,cones", "; cones: the motion is not a free body's")
 refused("plot bodies/foucault.lua --what rates", "rates: the body is a point")
 refused("plot bodies/brick.lua --what path", "path: nothing moves the body")
-refused("plot bodies/brick.lua --what error", "error: it needs two methods")
+refused("plot bodies/brick.lua --what error", "error: it needs two runs: --method A,B or --step H,H/2")
 refused("plot bodies/brick.lua --what polhodes", "did you mean polhode?")
 refused("plot bodies/brick.lua --sequence zzx", "--sequence must be")
 refused("plot bodies/brick.lua --sequence zyx --what rates", "--what does not name euler")
 refused("plot bodies/brick.lua --until 0", "--until must be positive")
 refused("plot bodies/brick.lua --method rk4,rk4", "rk4 stands there twice")
-refused("plot bodies/brick.lua --method rk4,taylor --what rates", "two methods are for --what error")
-refused("plot bodies/brick.lua --method a,b,c", "one method or two")
+refused("plot bodies/brick.lua --method a,b,c", "--method must have one value, or two for two runs, got 3 values")
+refused("plot bodies/brick.lua --step 0.1,0.1", "--step: 0.1 stands there twice")
+refused("plot bodies/brick.lua --set a=1,2,3", "--set must be NAME=NUMBER or NAME=NUMBER,NUMBER, got a=1,2,3")
+refused("plot bodies/brick.lua --method exact --step 0.01", "--step: the method exact has no steps")
+refused("plot bodies/brick.lua --method exact,linearised --step 0.01", "--step: the method exact has no steps")
+refused("plot bodies/brick.lua --what tlt", "--what: the scene has no tlt; did you mean tilt?")
+refused("plot bodies/brick.lua --what {wx,wy,wz,qx,qy,qz}", "a panel has up to 5 curves, got 6")
+refused("plot bodies/brick.lua --what rates,", "--what must")
+refused("plot bodies/brick.lua --range t=2:1", "--range must be NAME=LOW:HIGH, with LOW below HIGH, got t=2:1")
+refused("plot bodies/brick.lua --range t=-1:1", "--range t must begin at 0 or later, got −1")
+refused("plot bodies/brick.lua --range t=0:2 --until 1", "--range t must end by --until 1, got 2")
+refused("plot bodies/brick.lua --what rates --range tilt=0:1", "--range tilt: --what does not name it")
+refused("plot bodies/brick.lua --what polhode --range polhode=0:1", "--range polhode: it is no picture over time")
+refused("plot bodies/brick.lua --what error --method rk4,exact --step 0.1 --range error=0:1", "must be above 0 on its")
 refused("plot bodies/brick.lua --method rk5", "did you mean rk4?")
 refused("plot bodies/brick.lua -o x.gif", "must end in .svg, .png or .pdf")
 refused("plot", "SCENE is missing")
@@ -180,7 +207,7 @@ do
   tap.ok(status == 0, "two methods", err)
   tap.like(text, "Difference of rk4 and adaptive", "and their difference")
   tap.ok(text:find('>0.001</text>', 1, true) and text:find('>0.01</text>', 1, true) and
-    text:find('>10<tspan dy="-6" font-size="75%">−4</tspan>', 1, true), "on a logarithmic scale")
+    text:find('>0.1</text>', 1, true) and text:find('>1</text>', 1, true), "on a logarithmic scale")
   status, text, err = run "plot bodies/brick.lua --method linearised --until 2 --what rates"
   tap.ok(status == 0 and text and err:find("the exact motion differs by", 1, true), "as is what linearising costs", err)
   status, text, err = run "plot bodies/nodding_top.lua --method rk4 --step 0.05 --what rates"

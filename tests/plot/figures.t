@@ -68,7 +68,7 @@ end
 local function given(c, name)
   local kept, real = nil, quadric.draw
   quadric.draw = function(_, _, q) kept = q end
-  panels.of(c, { name })[1].draw(nil, nil)
+  panels.of(c, { name })[1][1].draw(nil, nil)
   quadric.draw = real
   return kept
 end
@@ -165,6 +165,42 @@ do -- spin against the axis: the cone is about the axis that points along L
   tap.near(c.body, math.atan(0.1), 1e-14, 0, "and the half angle is an acute one", "an arctangent")
 end
 
+for _, case in ipairs { { 3.2, 6.84, false, 3 }, { 2.9, 1.4, true, 10 }, { 1.43, 0.72, true, 20 }, { 41, 29, false, 1 },
+  { 38, 17, true, 1 } } do
+  local body, outer, inside, want = table.unpack(case)
+  local c = { body = math.rad(body), space = math.rad(outer), inside = inside }
+  tap.is(cones.opened(c), want, string.format("cones of %g and %g degrees are drawn %d times as wide", body, outer,
+    want))
+end
+
+-- The colours of the page that `polhode view` makes: which cone has which, and what they are on light paper.
+do
+  local function text_of(path)
+    local f = assert(io.open(path))
+    local text = f:read "a"
+    f:close()
+    return text
+  end
+  local page, own = text_of "templates/page/space.js", text_of "generator/plot/sheet.lua"
+  for _, cone in ipairs { { "space", "L, outer" }, { "body", "axis, body" } } do
+    local theirs = page:match("cones%." .. cone[1] .. ", 1%.2%), %[%.%.%.c%.(%l)")
+    local ours = text_of("generator/plot/cones.lua"):match("cone%(d, " .. cone[2] .. ', camera, map, "c(%l)"')
+    tap.ok(theirs and theirs == ours, "the " .. cone[1] .. " cone has the colour that the page gives it", ours)
+  end
+  for _, axis in ipairs { "x", "y", "z" } do
+    local r, g, b = page:match("LIGHT = .-%f[%w]" .. axis .. ": %[([%d.]+), ([%d.]+), ([%d.]+)%]")
+    local hex = own:match('{ "c' .. axis .. '", "stroke:#(%x+)"')
+    local off = 1.0
+    if r and hex then
+      off = 0.0
+      for i, v in ipairs { r, g, b } do
+        off = math.max(off, math.abs(tonumber(v) - tonumber(hex:sub(2 * i - 1, 2 * i), 16) / 255))
+      end
+    end
+    tap.near(off, 0, 0, 0.006, "colour " .. axis .. " is the page's", "its numbers have two digits")
+  end
+end
+
 -- ---- curves on paper ----
 
 do
@@ -184,6 +220,17 @@ do
   tap.ok(#kept < 600, "and has far fewer points", #kept .. " of 2001")
   tap.is(curve.path { { 0, 0 }, { 10, 0 }, { 10, 4.44 }, { 9.96, 4.44 } }, "M0 0l10 0 0 4.4", "path data in tenths")
   tap.is(curve.path { { 1, 2 }, { 1, 2 } }, "M1 2l0 0", "a point is a dot")
+end
+
+do -- two corners outside, one in the middle: the lines through the rectangle
+  local pieces = curve.clipped({ { -5, 5 }, { 5, 5 }, { 5, 20 }, { 8, 20 }, { 8, 2 } }, 0, 0, 10, 10)
+  local said = {}
+  for i, piece in ipairs(pieces) do
+    local words = {}
+    for k, p in ipairs(piece) do words[k] = string.format("%g %g", p[1], p[2]) end
+    said[i] = table.concat(words, ", ")
+  end
+  tap.is(table.concat(said, " | "), "0 5, 5 5, 5 10 | 8 10, 8 2", "what leaves a rectangle is cut at its edges")
 end
 
 -- ---- sampling ----

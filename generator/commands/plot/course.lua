@@ -3,11 +3,12 @@
 
 local accuracy = require "generator.commands.run.accuracy"
 local bounce = require "generator.commands.run.bounce"
+local columns = require "generator.commands.run.columns"
 local engines = require "generator.commands.run.engines"
 local limits = require "generator.commands.run.limits"
 local touch = require "generator.commands.run.touch"
-local csv = require "generator.commands.csv"
 local events = require "generator.commands.events"
+local options = require "generator.commands.options"
 local facts = require "generator.report.facts"
 local rotation = require "generator.attitude.rotation"
 local units = require "generator.dsl.units"
@@ -82,16 +83,26 @@ local function of_scene(job, given)
   return c
 end
 
-local function looker(host, job, motion, inputs, ground)
-  local at, seen = places(job), touch.seen(host, job, motion, inputs, ground)
+-- A function of times: samples of the motion, with the values of the columns that --what asks for; nil and a failure.
+local function looker(host, job, given, motion, inputs)
+  local at, seen = places(job), touch.seen(host, job, motion, inputs, given.ground)
+  local wanted = given.wanted or {}
+  local sample = columns.sampler(host, job, { course = inputs, ground = given.ground })
   return function(ts)
     local out, failure = seen(ts)
     for i, state in ipairs(out or {}) do
       local k = state.contact
       local s = { t = state.t, x = state.x, energy = state.energy, L = job.model.has.attitude and state.L or nil,
-        own = part(state.x, at.own) }
+        own = part(state.x, at.own), asked = {} }
       for _, name in ipairs { "q", "w", "r", "v" } do s[name] = at[name] and part(state.x, at[name]) end
       if k then s.N, s.r, s.v, s.point = k[1], part(k, { 2, 3, 4 }), part(k, { 5, 6, 7 }), part(k, { 11, 12, 13 }) end
+      local from = #wanted > 0 and sample(state.t, state.x, state.energy, state.L, state.on)
+      for n, c in ipairs(wanted) do
+        s.asked[n] = c.f(from)
+        if s.asked[n] - s.asked[n] ~= 0 then
+          return nil, { status = 3, t = s.t, text = c.name .. " is not finite" }
+        end
+      end
       out[i] = panels.complete(s)
     end
     return out, failure
@@ -104,32 +115,29 @@ local function looked(look, finish, step)
   return sampling.adaptive(look, finish)
 end
 
-local function with_method(given, method)
-  return setmetatable({ method = method }, { __index = function(_, k) return k ~= "method" and given[k] or nil end })
-end
-
--- Differences of two methods at common times: {methods, ts, curves}; or nil and a failure.
-local function difference(job, motions, names, finish, step)
-  local ts = {}
-  if step then
+-- Differences of two runs of courses at common times: {ts, curves}; or nil and a failure.
+function course.difference(first, second)
+  local a, b = first.motion, second.motion
+  local ts, finish, step = {}, math.min(first.finish, second.finish), math.max(a.step or 0, b.step or 0)
+  if step > 0 then
     ts = sampling.steps(finish, step)
   else
     for i = 0, rows_of_difference do ts[i + 1] = finish * (i / rows_of_difference) end
   end
   local states = {}
-  for n = 1, 2 do
-    local rows, failure = motions[n].solve(ts, {})
+  for n, motion in ipairs { a, b } do
+    local rows, failure = motion.solve(ts, {})
     if not rows then return nil, failure end
     states[n] = err.states(rows)
   end
-  local groups, curves = err.groups(job), {}
+  local groups, curves = err.groups(first.job), {}
   local scales = err.scales(groups, states[2])
   for n, g in ipairs(groups) do
     local values = {}
     for i = 1, #ts do values[i] = err.distance(g, scales[n], states[1][i], states[2][i]) end
     curves[n] = { name = g.name, values = values }
   end
-  return { methods = names, ts = ts, curves = curves }
+  return { ts = ts, curves = curves }
 end
 
 -- Appends what run would say of the motion's accuracy, at its end and of the linearised one at some times.
@@ -143,21 +151,17 @@ local function judged(host, job, motion, samples, warnings)
   end) or nil
 end
 
--- A course of the scene: nil, a failure of run/engines.lua.  Second result: warnings.  given: the command's options,
--- methods = {} or up to two names; inputs: over time, or nil.
-function course.compute(host, job, given, inputs)
-  local finish = given["until"] or job.model:double(job.model.horizon)
-  local names, motions, step, warnings = given.method or {}, {}, nil, {}
-  for n = 1, math.max(1, #names) do
-    local own = with_method(given, names[n])
-    local motion, failure = bounce.motion(host, job, own, inputs)
-    if not motion then return nil, failure end
-    local wrong = limits.exceeded(motion, { finish }, own)
-    if wrong then return nil, { command = true, text = wrong } end
-    motions[n], step = motion, step or motion.step
-  end
+-- A course of the scene: nil, a failure of run/engines.lua.  Second result: warnings.  given: of one run; finish: the
+-- end of what is drawn; inputs: over time, or nil; alone: is it all that is drawn, so that its accuracy is told?
+function course.compute(host, job, given, finish, inputs, alone)
+  local warnings = {}
+  local motion, failure = bounce.motion(host, job, given, inputs)
+  if not motion then return nil, failure end
+  local wrong = limits.exceeded(motion, { finish }, given)
+  if wrong then return nil, { command = true, text = wrong } end
   local c = of_scene(job, given)
-  local when, failure = events.ending(host, job, motions[1], finish, inputs)
+  local when
+  when, failure = events.ending(host, job, motion, finish, inputs)
   if when == false then return nil, failure end
   if when then
     finish = when.row.t
@@ -165,19 +169,15 @@ function course.compute(host, job, given, inputs)
     warnings[1] = happenings.at(when.said, times.number(finish)) .. "; what is drawn ends there\n"
   end
   local samples
-  samples, failure = looked(looker(host, job, motions[1], inputs, given.ground), finish, motions[1].step)
+  samples, failure = looked(looker(host, job, given, motion, inputs), finish, motion.step)
   if not samples then return nil, failure end
   local last = samples[#samples].t
   if last < finish * (1 - 1e-9) then
     warnings[#warnings + 1] = "the motion bends too often to be drawn to the end: it is to t = " ..
       times.number(last) .. " s\n"
   end
-  if #names < 2 then judged(host, job, motions[1], samples, warnings) end
-  c.samples = samples
-  if #names == 2 then
-    c.error, failure = difference(job, motions, names, finish, step)
-    if not c.error then return nil, failure end
-  end
+  if alone then judged(host, job, motion, samples, warnings) end
+  c.samples, c.motion, c.finish, c.job = samples, motion, finish, job
   return c, warnings
 end
 
@@ -191,28 +191,38 @@ local parts = { energy = { "energy", unit = "J" }, N = { "N", unit = "N" },
 local vectors = { "energy", "N", "q", "w", "r", "v", "L", "point" }
 local still_touches = 1e-6 -- of the largest reaction: where contact is lost, run's last row has 0 but for rounding
 
--- A course of the rows that run wrote, with the body of the scene if there is one: nil and what is wrong.
-function course.read(host, job, given)
-  local f, wrong = csv.open(host, given.from)
-  if not f then return nil, wrong end
-  local columns, there = {}, {}
+-- The columns of a file that --what names beside the pictures: {{name =, unit =}, ...}, or nil and what is wrong.
+function course.column(f, name)
+  local place = f.at[name]
+  if place then return { { name = name, unit = f.units[place] } } end
+  return nil, "--what: the file has no column " .. name .. options.meant(name, { "t", table.unpack(f.names) })
+end
+
+-- A course of the rows that run wrote, f (of csv.open), with the body of the scene if there is one: nil and what is
+-- wrong.
+function course.read(f, job, given)
+  local wrong
+  local columns_of, there = {}, {}
   for _, p in ipairs(vectors) do
     local list, dim = {}, select(2, units.parse(parts[p].unit))
     for _, name in ipairs(parts[p]) do
       list[#list + 1] = f.at[name] and { name = name, dim = dim, needed = true } or nil
     end
     if #list == #parts[p] then
-      there[#there + 1] = { part = p, before = #columns, size = #list }
-      table.move(list, 1, #list, #columns + 1, columns)
+      there[#there + 1] = { part = p, before = #columns_of, size = #list }
+      table.move(list, 1, #list, #columns_of + 1, columns_of)
     end
   end
+  local states = #columns_of
+  for _, c in ipairs(given.wanted or {}) do columns_of[#columns_of + 1] = { name = c.name, needed = true } end
   local n
-  n, wrong = f:read(columns, true, 2)
+  n, wrong = f:read(columns_of, true, 2)
   if not n then return nil, wrong end
   local ts, numbers, samples = f.object:values(0), {}, {}
-  for i in ipairs(columns) do numbers[i] = f.object:values(i) end
+  for i in ipairs(columns_of) do numbers[i] = f.object:values(i) end
   for i = 1, n do
-    local s = { t = ts[i] }
+    local s = { t = ts[i], asked = {} }
+    for k = states + 1, #columns_of do s.asked[k - states] = numbers[k][i] end
     for _, p in ipairs(there) do
       local v = {}
       for k = 1, p.size do v[k] = numbers[p.before + k][i] end

@@ -48,8 +48,8 @@ local function words_of(job)
   local list, by_name, groups, wide, has = {}, {}, {}, {}, { energy = true, L = job.model.has.attitude or nil,
     contact = (contact.of(job.model) or job.record.landing) and true or nil,
     frame = job.model.frame and true or nil, base = base(job.model) ~= false }
-  local function word(name, unit, f)
-    by_name[name] = { name = name, unit = unit, f = f }
+  local function word(name, unit, f, about)
+    by_name[name] = { name = name, unit = unit, f = f, about = about }
     list[#list + 1], wide[#wide + 1] = by_name[name], by_name[name]
   end
   local function group(name, member)
@@ -72,7 +72,7 @@ local function words_of(job)
     local fits = true
     for _, need in ipairs(q[2]) do fits = fits and has[need] end
     local function f(sample) return quantities.value(w, sample) end
-    if fits and (k or not q[5]) then word(name, unit, f) elseif fits then
+    if fits and (k or not q[5]) then word(name, unit, f, not k and q.about or nil) elseif fits then
       wide[#wide + 1] = { name = name, unit = unit, f = f }
     end
     if fits and k then group(q[1], name) end
@@ -101,20 +101,18 @@ function columns.told(job)
   return table.concat(out, ", ")
 end
 
--- The text cut at commas outside of brackets.
-local function entries(text)
-  local list, depth, from = {}, 0, 1
-  for i = 1, #text do
-    local c = string.sub(text, i, i)
-    if c == "(" then depth = depth + 1 elseif c == ")" then depth = depth - 1 end
-    if c == "," and depth <= 0 then
-      list[#list + 1] = string.sub(text, from, i - 1)
-      from = i + 1
-    end
+-- What a word that the scene lacks may have meant, as the end of a message.
+local function missing(job, word, known)
+  if string.find(word, "^omega_inertial") and base(job.model) == false then
+    return ": the axis of its frame moves, so that there is no formula for the frame's attitude; there is omega_frame"
   end
-  list[#list + 1] = string.sub(text, from)
-  for i, s in ipairs(list) do list[i] = string.match(s, "^%s*(.-)%s*$") end
-  return list
+  local axis = string.match(word, "^omega_?([xyz123]?)$")
+  if axis and job.model.has.rates then
+    axis = ({ ["1"] = "x", ["2"] = "y", ["3"] = "z" })[axis] or axis
+    local body, space = "w" .. axis, "omega_inertial" .. (axis ~= "" and "_" .. axis or "")
+    return "; the angular velocity is " .. body .. " in body axes and " .. space .. " in inertial axes"
+  end
+  return options.meant(word, known)
 end
 
 -- An expression as a column, or nil and what is wrong.
@@ -129,43 +127,52 @@ local function expression_column(host, job, name, text, list)
   for _, w in ipairs(list) do
     if string.find(text, w.name, 1, true) then used[#used + 1] = w end
   end
-  return { name = name, f = function(sample)
+  return { name = name, unit = read.unit, f = function(sample)
     for _, w in ipairs(used) do env[w.name] = w.f(sample) end
     return evaluate.double(read.e, env)
   end }
 end
 
+-- A function that gives for one word, group or expression its columns, {{name =, unit =, f = of a sample}, ...; about =
+-- in words}, or nil and what is wrong.  option: where the user wrote it; others: more words that the option knows.
+function columns.reader(host, job, option, others)
+  local list, by_name, groups, wide = words_of(job)
+  local known = { table.unpack(others or {}) }
+  for _, w in ipairs(list) do known[#known + 1] = w.name end
+  local abouts = {}
+  for _, q in ipairs(quantities.list) do
+    known[#known + 1], abouts[q[1]] = q[5] and q[1] or nil, q.about
+  end
+  return function(entry)
+    local name, body = string.match(entry, "^([%a_][%w_]*)%s*=%s*([^=].*)$")
+    if by_name[entry] then return { by_name[entry], about = by_name[entry].about } end
+    if groups[entry] then
+      local out = { about = abouts[entry] }
+      for i, member in ipairs(groups[entry]) do out[i] = by_name[member] end
+      return out
+    end
+    if not name and string.find(entry, "^[%a_][%w_]*$") and not job.model.defaults[entry] then
+      return nil, option .. ": the scene has no " .. entry .. missing(job, entry, known)
+    end
+    local c, why = expression_column(host, job, name or entry, body or entry, wide)
+    if not c then return nil, option .. " " .. entry .. ": " .. why end
+    return { c }
+  end
+end
+
 -- The columns that are asked for: a list of {name, f}, or nil and what is wrong.
 local function asked(host, job, text)
-  local list, by_name, groups, wide = words_of(job)
-  local out, taken, known = {}, {}, {}
-  for _, w in ipairs(list) do known[#known + 1] = w.name end
-  for _, q in ipairs(quantities.list) do known[#known + 1] = q[5] and q[1] or nil end
-  local wrong
-  local function put(c)
-    if taken[c.name] then wrong = wrong or "the column " .. c.name .. " is there twice" end
-    taken[c.name] = true
-    out[#out + 1] = c
-  end
-  for _, entry in ipairs(entries(text)) do
-    local name, body = string.match(entry, "^([%a_][%w_]*)%s*=%s*([^=].*)$")
+  local reader, out, taken = columns.reader(host, job, "--columns"), {}, {}
+  for _, entry in ipairs(options.entries(text)) do
     if entry == "" then return nil, "--columns must be words or expressions with commas between, got " .. text end
-    if by_name[entry] then
-      put(by_name[entry])
-    elseif groups[entry] then
-      for _, member in ipairs(groups[entry]) do put(by_name[member]) end
-    elseif not name and string.find(entry, "^[%a_][%w_]*$") and not job.model.defaults[entry] then
-      local tumbles = string.find(entry, "^omega_inertial") and base(job.model) == false
-      return nil, "--columns: the scene has no " .. entry .. (tumbles and
-        ": the axis of its frame moves, so that there is no formula for the frame's attitude; there is omega_frame" or
-        options.meant(entry, known))
-    else
-      local c, why = expression_column(host, job, name or entry, body or entry, wide)
-      if not c then return nil, "--columns " .. entry .. ": " .. why end
-      put(c)
+    local list, why = reader(entry)
+    if not list then return nil, why end
+    for _, c in ipairs(list) do
+      if taken[c.name] then return nil, "--columns: the column " .. c.name .. " is there twice" end
+      taken[c.name] = true
+      out[#out + 1] = c
     end
   end
-  if wrong then return nil, "--columns: " .. wrong end
   return out
 end
 

@@ -98,6 +98,17 @@ local orders = { adaptive = 24, taylor = 24, rk4 = 4, rkf45 = 5, rk8pd = 8, ["gs
   linearised = 0 }
 local names = { "adaptive", "taylor", "rk4", "gsl-rk4", "rkf45", "rk8pd", "implicit", "exact", "linearised" }
 
+-- Can the method of these options have --step, --tolerance or --order?  Unknown methods can: their engine answers.
+function engines.takes(given, option)
+  local method, emitted = given.method, given.engine == "generated"
+  if option == "order" then return emitted and method == "taylor" end
+  local none = method == "exact" or method == "linearised" or emitted and not method
+  if none or option == "step" then return not none end
+  local m = emitted and methods.by_name[method]
+  if m then return m.adaptive or false end
+  return not (method == "rk4" or method == "gsl-rk4")
+end
+
 function engines.general(host, job, given, course)
   local method = given.method or "adaptive"
   if not orders[method] then return refused(no_method("general", method, names)) end
@@ -113,7 +124,8 @@ function engines.general(host, job, given, course)
   local lines = course and course:linear()
   local scene = numeric.scene(job, nil, lines)
   if closed_form and #scene.effects > 0 then
-    return refused("--engine general --method " .. method .. " solves free tops, and this scene has effects")
+    return refused("--engine general --method " .. method .. " solves free tops, and this scene has effects" ..
+      (method == "exact" and job.closed.full and "; --engine generated has its closed form" or ""))
   end
   local step = not closed_form and (given.step or fixed and job.model:double(job.model.step)) or nil
   local tolerance = not step and (given.tolerance or tolerances[method]) or nil

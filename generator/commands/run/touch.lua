@@ -40,7 +40,8 @@ function touch.seen(host, job, motion, inputs, ground)
     for i, s in ipairs(states or {}) do
       local energy, L = motion.measured(s)
       if not energy then return nil, L end
-      out[i] = { t = s.t, x = s.x, energy = energy, L = L, contact = touching and touching(s.t, s.x, inputs, s.on) }
+      out[i] = { t = s.t, x = s.x, on = s.on, energy = energy, L = L,
+        contact = touching and touching(s.t, s.x, inputs, s.on) }
       if touching and not out[i].contact then return nil, { status = 3, t = s.t, text = happenings.no_point } end
     end
     return states and out, failure

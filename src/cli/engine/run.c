@@ -138,7 +138,9 @@ static double first_failure(struct motion *m, double from, double end) {
     from = ph_run_time(m->run);
   double t = course_next(m->course, from, end);
   if (m->step > 0) {
-    const double span = t - from, n = ceil(fabs(span) / m->step * (1 - 8 * DBL_EPSILON));
+    const double span = t - from, ends = fabs(from) + fabs(t);
+    const double rounding = DBL_EPSILON * (8 * fabs(span) + 2 * ends); /* as the library has it */
+    const double n = ceil((fabs(span) - rounding) / m->step);
     for (double i = 1; i < n; i++)
       if (reach(m, from + span * (i / n), x) != PH_OK)
         return from + span * (i / n);

@@ -136,10 +136,12 @@ static int taylor_order(const ph_options *o) {
 }
 
 static int go_fixed(ph_run *run, ph_wide span, ph_wide x[], long *steps) {
-  /* As many steps as fit; a ratio that is an integer up to its rounding in double counts as that
-   * integer. */
+  /* As many steps as fit; a ratio that is an integer up to its rounding in double, and up to that
+   * of the times between which the span lies, counts as that integer. */
   const ph_wide ratio = fabsl(span) / (ph_wide)run->options.step;
-  const ph_wide count = ceill(ratio * (1 - 8 * (ph_wide)DBL_EPSILON));
+  const ph_wide ends = fabsl((ph_wide)run->t) + fabsl((ph_wide)run->t + span);
+  const ph_wide rounding = 8 * ratio + 2 * ends / (ph_wide)run->options.step;
+  const ph_wide count = ceill(ratio - (ph_wide)DBL_EPSILON * rounding);
   if (count > run->options.max_steps)
     return PH_ESTEPS;
   const long n = (long)count;
