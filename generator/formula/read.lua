@@ -71,6 +71,46 @@ function parser:symbol(word)
   return tree.sym(base, sub, { vector = vector or nil, dot = #dots })
 end
 
+-- The content of brackets up to the sign that closes them.
+function parser:enclosed(close, barred)
+  self.at = self.at + 1
+  local n = self:inside(barred or false)
+  self:expect(close)
+  return n
+end
+
+-- A function of its arguments, the first name being read; sin^2(a) is a power.
+function parser:call(name)
+  local power = nil
+  if self:peek "^" then
+    self.at = self.at + 1
+    power = tree.num(self:next().text)
+  end
+  self:expect "("
+  local n = tree.call(name, self:inside(false))
+  while self:peek "," do
+    self.at = self.at + 1
+    n[#n + 1] = self:inside(false)
+  end
+  self:expect ")"
+  if name == "sqrt" then n = tree.sqrt(n[1]) end
+  return power and tree.pow(n, power) or n
+end
+
+-- A name: a differential, a function, a symbol, or a symbol at an argument.
+function parser:named(word)
+  self.at = self.at + 1
+  local differential = not read.functions[word] and string.match(word, "^d(%a+)$")
+  if word == "int" then return { kind = "integral" } end
+  if differential and (#differential == 1 or tree.greek[differential]) then
+    return { kind = "diff", self:symbol(differential) }
+  end
+  local opens = self:peek "(" and self.list[self.at].tight
+  if word == "sqrt" or read.functions[word] and (opens or self:peek "^") then return self:call(word) end
+  local s = self:symbol(word)
+  return opens and { kind = "at", s, self:enclosed ")" } or s
+end
+
 -- What may stand in a product without its power; nil where none begins.
 function parser:atom()
   local t = self.list[self.at]
@@ -83,53 +123,16 @@ function parser:atom()
     local low, high = string.match(t.text, "^(.*);(.*)$")
     return { kind = "integral", low = read.of(low, self.names), high = read.of(high, self.names) }
   elseif t.kind == "name" then
-    self.at = self.at + 1
-    local differential = not read.functions[t.text] and string.match(t.text, "^d(%a+)$")
-    if t.text == "int" then return { kind = "integral" } end
-    if differential and (#differential == 1 or tree.greek[differential]) then
-      return { kind = "diff", self:symbol(differential) }
-    end
-    local following = self.list[self.at]
-    local opens = following and following.kind == "op" and following.text == "(" and following.tight
-    if t.text == "sqrt" or read.functions[t.text] and (opens or self:peek "^") then
-      local power = nil
-      if self:peek "^" then
-        self.at = self.at + 1
-        power = tree.num(self:next().text)
-      end
-      self:expect "("
-      local n = tree.call(t.text, self:inside(false))
-      while self:peek "," do
-        self.at = self.at + 1
-        n[#n + 1] = self:inside(false)
-      end
-      self:expect ")"
-      if t.text == "sqrt" then n = tree.sqrt(n[1]) end
-      return power and tree.pow(n, power) or n
-    end
-    local s = self:symbol(t.text)
-    if not opens then return s end
-    self.at = self.at + 1
-    local argument = self:inside(false)
-    self:expect ")"
-    return { kind = "at", s, argument }
+    return self:named(t.text)
   elseif t.text == "(" then
-    self.at = self.at + 1
-    local n = self:inside(false)
-    self:expect ")"
-    return n
+    return self:enclosed ")"
   elseif t.text == "{" then
-    self.at = self.at + 1
-    local above = self:inside(true)
-    self:expect "|"
+    local above = self:enclosed("|", true)
     local below = self:inside(false)
     self:expect "}"
     return tree.frac(above, below)
   elseif t.text == "|" then
-    self.at = self.at + 1
-    local n = self:inside(true)
-    self:expect "|"
-    return { kind = "abs", n }
+    return { kind = "abs", self:enclosed("|", true) }
   end
   return nil
 end

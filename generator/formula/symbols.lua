@@ -37,7 +37,8 @@ function symbols:of(name)
     return self.of_name[name]
   end
   local base, sub = tree.split((string.gsub(name, "_+$", ""))) -- slide_: a state of the code that keeps off a parameter
-  local node, n, whole = false, 1, sub
+  local node
+  local n, whole = 1, sub
   repeat -- not a letter of the theory either: the code's Omega is none of its rates
     node = not theory.has(base, whole) and self:take(name, base, whole)
     n = n + 1

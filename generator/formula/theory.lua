@@ -26,7 +26,8 @@ local VECTOR, ENTRIES = " ~ x y z", " xx yy zz xy xz yz"
 local function of_each(word, subs) return (string.gsub(subs, "%a+", word)) end
 
 theory.mass = family("M", "-", "tot", "the mass", "m")
-family("I", "-" .. ENTRIES .. of_each("%0,c", ENTRIES) .. of_each("%0,b", ENTRIES) .. " c b jk", "body", "the tensor of inertia", "Theta")
+family("I", "-" .. ENTRIES .. of_each("%0,c", ENTRIES) .. of_each("%0,b", ENTRIES) .. " c b jk", "body",
+  "the tensor of inertia", "Theta")
 family("I", "1 2 3 i j k", "p", "a principal moment", "A")
 family("J", ENTRIES, "inv", "the inverse of the tensor of inertia", "U")
 family("J", "-", "wheel", "the moment of a wheel")
@@ -39,7 +40,8 @@ family("V", "-", "pot", "the potential")
 family("L", "- 1 2 3 n v free" .. VECTOR .. " t" .. of_each("%0,t", " x y z"), "rot", "the angular momentum", "H")
 family("N", "- 1 2 3" .. VECTOR, "tot", "the torque", "Q")
 family("N", "n min max 0", "plane", "the reaction of the plane")
-family("omega", "- 0 crit 1 2 3 i j k n straight edge upward downward free" .. VECTOR, "rot", "the angular velocity", "w")
+family("omega", "- 0 crit 1 2 3 i j k n straight edge upward downward free" .. VECTOR, "rot",
+  "the angular velocity", "w")
 family("t", "- 0", "time", "the time")
 family("t", "1 2 3", "turn", "a time of a change of sign")
 family("r", "- 0 s" .. VECTOR, "cm", "the position")

@@ -93,7 +93,8 @@ local function rolling(m, put)
     put("steady_precession_" .. number, p, string.gsub("{M g b + ( I_3 s - M h x ) omega_3 P|s ( I_1 c - M h y ) P}",
       "P", p), "steady precession about the normal for this spin and tilt (cosine c, sine s); the contact is x " ..
       "across, y along the axis, b = y s - x c, its height h", s.n, "rad/s")
-    put((stable and "steady_nutation_" or "steady_growth_") .. number, (stable and "Omega_p" or "sigma_") .. number, nil,
+    local symbol = (stable and "Omega_p" or "sigma_") .. number
+    put((stable and "steady_nutation_" or "steady_growth_") .. number, symbol, nil,
       stable and "rate of a small nutation about it: it is stable" or "rate of growth of a small one: it is unstable",
       R.sign(s.nod) ~= 0 and R.apply("sqrt", bits, R.abs(s.nod)) or 0.0, "rad/s")
   end

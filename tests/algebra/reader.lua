@@ -115,7 +115,8 @@ end
 
 -- Letters and signs of MathML that are written otherwise in text.
 local LETTERS = { ["\u{2062}"] = "*", ["\u{2061}"] = "", ["−"] = "-", ["ω"] = "omega",
-  ["α"] = "alpha", ["β"] = "beta", ["γ"] = "gamma", ["θ"] = "theta", ["φ"] = "phi", ["ρ"] = "rho", ["λ"] = "lambda", ["μ"] = "mu" }
+  ["α"] = "alpha", ["β"] = "beta", ["γ"] = "gamma", ["θ"] = "theta", ["φ"] = "phi",
+  ["ρ"] = "rho", ["λ"] = "lambda", ["μ"] = "mu" }
 
 -- The children of an element from `at` on as texts, and where its end is.
 local function elements(s, at)

@@ -114,7 +114,7 @@ end
 
 -- The sides of a line between its relations outside braces.
 local function sides(line)
-  local list, depth, from, exact = {}, 0, 1, {}
+  local list, depth, from = {}, 0, 1
   local at_ = 1
   while at_ <= #line do
     local c = string.sub(line, at_, at_)
@@ -122,7 +122,6 @@ local function sides(line)
     local relation = depth == 0 and (c == "=" and "=" or string.match(line, "^\\approx", at_))
     if relation then
       list[#list + 1] = string.sub(line, from, at_ - 1)
-      exact[#list] = relation == "="
       from = at_ + #relation
       at_ = from - 1
     end
