@@ -12,6 +12,7 @@ package.cpath = "build/lua/?.so;" .. package.cpath
 local tap = require "tests.tap"
 local tier = require "tests.tier"
 local scene = require "tests.scene"
+local scenes = require "tests.effects.scenes"
 local document = require "tests.report.document"
 local driver = require "generator.driver"
 local facts = require "generator.report.facts"
@@ -83,6 +84,19 @@ for path in pipe:lines() do bodies[#bodies + 1] = path end
 pipe:close()
 for _, path in ipairs(tier.every(6, bodies, 2)) do check(path) end
 for i = 1, select("#", ...) do check((select(i, ...))) end
+
+-- Parametric scenes at random: POLHODE_SCENES=200 takes so many.
+local draw, made = scenes.new(tonumber(os.getenv "POLHODE_SEED" or 37), 0), 0
+local wanted = tonumber(os.getenv "POLHODE_SCENES") or tier.quick and 2 or 20
+while made < wanted do
+  local chosen, kind = {}, ({ "diagonal", "symmetric", "full", "points" })[draw:random(4)]
+  for i = 1, draw:random(3) - 1 do chosen[i] = scenes.draw(draw) end
+  if #chosen == 0 or select(2, scenes.fits(chosen)) then
+    made = made + 1
+    local name = "random_" .. made
+    check(name, scenes.text(scenes.new(7919 * made, 0.8), name, kind, chosen))
+  end
+end
 print("# " .. total .. " formulas evaluated, " .. others .. " general ones")
 tap.ok(total > 10 * #bodies // (tier.quick and 6 or 2), "there are many")
 tap.done()
