@@ -15,6 +15,7 @@ local R = require "generator.algebra.rational"
 local expr = require "generator.algebra.expr"
 local calculus = require "generator.algebra.calculus"
 local evaluate = require "generator.algebra.evaluate"
+local expression = require "generator.formula.expression"
 local words = require "generator.formula.text"
 local breaks = require "generator.dynamics.breaks"
 local constancy = require "generator.dynamics.constancy"
@@ -190,7 +191,7 @@ end
 -- What has the corner, in words.
 function switching.about(s)
   local what = s.bend and speed_in_words(s.square) or words.of(s.about)
-  if #what > 60 then what = s.bend and "a speed" or words.called(s.about.fn) .. "(...)" end
+  if #what > 60 then what = s.bend and "a speed" or expression.called(s.about.fn) .. "(...)" end
   return s.bend and what .. ", where it is least" or what
 end
 
