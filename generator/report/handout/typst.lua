@@ -17,7 +17,10 @@ function typst.title(s)
 end
 function typst.heading(s) return "== " .. typst.words(s) .. "\n" end
 function typst.paragraph(parts) return table.concat(parts) .. "\n" end
-function typst.words(s) return (string.gsub(s, "[\\#$*_`<>@~%[%]=/]", "\\%0")) end
+function typst.words(s)
+  s = string.gsub(s, "[\\#$*_`<>@~%[%]=/\"]", "\\%0")
+  return (string.gsub(string.gsub(s, "^[-+]", "\\%0"), "^(%d+)%.", "%1\\.")) -- no item of a list
+end
 function typst.list(items) return "- " .. table.concat(items, "\n- ") .. "\n" end
 function typst.listing(lines) return "```\n" .. table.concat(lines, "\n") .. "\n```\n" end
 typst.tail = ""
