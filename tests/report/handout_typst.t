@@ -44,16 +44,18 @@ put("control: a formula too wide", head .. "$ " .. string.rep("omega + ", 60) ..
 put("control: a warning", head .. "#set text(font: \"no such font\")\nwords\n", "unknown font family")
 
 for path in string.gmatch(output "ls bodies/*.lua", "[^\n]+") do
-  explained(path, path, "--sections all")
+  explained(path, path, "--sections all --author 'A. #Bee' --date '1. 2.' " ..
+    "--title '#1 [$x_1$] \"it\" <a>@b // c'")
 end
 
 -- Names of the theory, of Typst's own functions, and with digits and words as their indices.
 local scene = os.tmpname()
-for _, names in ipairs { { "omega", "I1", "M", "e1" }, { "dif", "dot", "angle", "frac" }, { "sin", "arcsin", "op", "mat" },
-  { "thin", "quad", "lr", "x_12" }, { "p_start2", "L", "pi_1", "alpha_beta" }, { "in", "R2", "sum", "bold" },
+for _, names in ipairs { { "omega", "I1", "M", "e1" }, { "dif", "dot", "angle", "frac" },
+  { "sin", "arcsin", "op", "mat" }, { "thin", "quad", "lr", "x_12" }, { "p_start2", "L", "pi_1", "alpha_beta" }, { "in", "R2", "sum", "bold" },
   { "yes", "none", "T_xx", "k_ij" } } do
   local file = assert(io.open(scene, "w"))
-  file:write(string.format([[local a, b, c, m = param(%q, 3, "cm"), param(%q, 5, "cm"), param(%q, 8, "cm"), param(%q, 2, "kg")
+  file:write(string.format([[local a, b = param(%q, 3, "cm"), param(%q, 5, "cm")
+    local c, m = param(%q, 8, "cm"), param(%q, 2, "kg")
     return scene { name = "a_name", body = solid.box { x = a, y = b, z = c, mass = m },
     origin = {a/3, b/5, 0}, effects = { effect.gravity {}, effect.damping { c = 1e-4 } },
     initial = { omega = {1, 2, 3} } }]], table.unpack(names)))

@@ -25,7 +25,7 @@ function mass.given(p, f)
   end
   p:heading "Given"
   if #lines == 0 then p:words "The scene has no parameters: every number is an exact constant." end
-  p:display(lines)
+  p:display(formula.beside(lines))
   if not f.job.model.has.rates then
     p:text("Vectors are in the axes $x$, $y$, $z$ of the base frame, a dot is the derivative by time, and $~r$ and " ..
       "$~v$ are position and velocity of the centre of mass.")
@@ -124,22 +124,29 @@ function mass.matrix(p, f, about, I)
   return lines
 end
 
+local digit = 0.8 -- of a letter's width
+
 local function tensor(p, f, about, I, numbers)
   local lines, values = mass.matrix(p, f, about, I), {}
   for i = 1, 3 do
     values[i] = {}
     for k = 1, 3 do values[i][k] = tree.number(numbers[mass.entry[i][k]], 5) end
   end
-  lines[#lines + 1] = { left = p.symbols:own("I", about and "c"), tree.op "approx", { kind = "quantity",
-    tree.matrix(values),
-    { kind = "unit", "kg m^2" } } }
+  local matrix = { kind = "quantity", tree.matrix(values), { kind = "unit", "kg m^2" } }
+  local one = lines[1]
+  if #lines == 1 and tree.width(tree.row(one.left, table.unpack(one))) + digit * tree.width(matrix) <= formula.widest then
+    one[#one + 1] = tree.op "approx"
+    one[#one + 1] = matrix
+  else
+    lines[#lines + 1] = { left = p.symbols:own("I", about and "c"), tree.op "approx", matrix }
+  end
   p:display(lines)
 end
 
 local function vector(p, name, v, numbers)
   local lines = {}
   for i = 1, 3 do p:line(lines, p.symbols:own(name, axes[i]), v[i], v[i].kind ~= "num" and numbers[i] or nil, "m") end
-  p:display(lines)
+  p:display(formula.beside(lines))
 end
 
 -- Where the formula of a shape comes from.
@@ -150,14 +157,27 @@ local function origin(p, f)
   for _, piece in ipairs(f.job.model.body.pieces) do
     local known = integrals[piece.name]
     if known and not seen[piece.name] then
-      p:text(piece.name .. " (" .. known[1] .. "), about its own axis z:")
+      p:text(known[4] .. " (" .. known[1] .. "), about its own axis $z$:")
       p:equations { "I_zz = " .. known[2] .. " = " .. known[3] }
     end
     seen[piece.name] = true
   end
 end
 
-function mass.tensor(p, f)
+-- Do the equations of motion begin with the components of this angular momentum?
+local function defined(f)
+  for _, e in ipairs(f.job.record.effects) do
+    if e.kind == "effect.inertia_rate" or e.kind == "effect.rotor" then return false end
+  end
+  for _, g in ipairs(f.job.equations.groups) do
+    for _, d in ipairs(g.defs) do
+      if d.name == "Lx" then return true end
+    end
+  end
+  return false
+end
+
+function mass.tensor(p, f, asked)
   local s, lines = p.symbols, {}
   p:heading "Mass and tensor of inertia"
   if f.mass.kind ~= "sym" then p:line(lines, s:own "M", f.mass, f.mass_number, "kg") end
@@ -182,7 +202,7 @@ function mass.tensor(p, f)
   end
   p:where()
   p:text "Kinetic energy of the rotation and angular momentum:"
-  p:equations { "T = {1|2} ( ~omega . I ~omega )", "~L = I ~omega" }
+  p:equations({ "T = {1|2} ( ~omega . I ~omega )", "~L = I ~omega" }, true)
   lines = {}
   local w = vec.map({ 1, 2, 3 }, function(i) return expr.sym("w" .. axes[i], 7) end)
   local named = vec.map(f.inertia, function(e, n) return e == expr.zero and e or expr.sym("I" .. vec.entry[n], 3) end)
@@ -191,8 +211,8 @@ function mass.tensor(p, f)
   for i = 1, 3 do T = T + named[i] * w[i] ^ 2 / 2 end
   T = T + named[4] * w[1] * w[2] + named[5] * w[1] * w[3] + named[6] * w[2] * w[3]
   p:line(lines, s:own "T", T)
-  for i = 1, 3 do p:line(lines, s:own("L", axes[i]), L[i]) end
-  p:display(lines)
+  for i = 1, asked.euler and defined(f) and 0 or 3 do p:line(lines, s:own("L", axes[i]), L[i]) end
+  p:display(formula.grouped(lines))
 end
 
 local function sentence(s) return (string.gsub(s, "^%l", string.upper)) .. "." end
@@ -259,8 +279,8 @@ function mass.principal(p, f)
   end
   p:display(lines)
   p:words "In these axes the tensor is diagonal, and"
-  p:equations { "T = {1|2} ( I_1 omega_1^2 + I_2 omega_2^2 + I_3 omega_3^2 )",
-    "~L = I_1 omega_1 ~e_1 + I_2 omega_2 ~e_2 + I_3 omega_3 ~e_3" }
+  p:equations({ "T = {1|2} ( I_1 omega_1^2 + I_2 omega_2^2 + I_3 omega_3^2 )",
+    "~L = I_1 omega_1 ~e_1 + I_2 omega_2 ~e_2 + I_3 omega_3 ~e_3" }, true)
 end
 
 return mass

@@ -64,14 +64,14 @@ function page:display(lines)
   self:put(self.format.display(out))
 end
 
--- "left = right" in the short notation, one line each.
-function page:equations(list)
+-- "left = right" in the short notation, one line each; beside: as many in a line as fit.
+function page:equations(list, beside)
   local lines = {}
   for i, text in ipairs(list) do
     local left, right = read.equation(text, self.names)
     lines[i] = { left = left, right }
   end
-  self:display(lines)
+  self:display(beside and formula.beside(lines) or lines)
 end
 
 -- Adds "left = expression (= number unit)" to lines; what is too long for people is given by its number.

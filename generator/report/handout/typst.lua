@@ -6,14 +6,20 @@ local formulas = require "generator.formula.typst"
 
 local typst = { style = formulas }
 
+local head = [[
+#set page(paper: "a4", margin: 22mm, numbering: "1")
+#set par(justify: true)
+#show math.equation.where(block: true): set block(breakable: true)
+]]
+
 function typst.inline(n) return "$" .. setting.of(formulas, n) .. "$" end
 function typst.display(lines)
   local out = {}
   for i, l in ipairs(lines) do out[i] = l[1] .. " & " .. l[2] end
   return "$ " .. table.concat(out, " \\\n  ") .. " $\n"
 end
-function typst.title(s)
-  return "#set page(paper: \"a4\", margin: 22mm)\n#set par(justify: true)\n= " .. typst.words(s) .. "\n"
+function typst.title(s, under)
+  return head .. "= " .. typst.words(s) .. "\n" .. (#under > 0 and typst.words(table.concat(under, ", ")) .. "\n" or "")
 end
 function typst.heading(s) return "== " .. typst.words(s) .. "\n" end
 function typst.paragraph(parts) return table.concat(parts) .. "\n" end
