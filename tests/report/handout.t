@@ -106,8 +106,8 @@ has(frame, "centripetal acceleration $\\vct{\\Omega} \\times \\left( \\vct{\\Ome
 
 local some = of([[return scene { name = "s", body = solid.box { x = 1, y = 2, z = 3, mass = 1 } }]],
   "--sections tensor,euler")
-has(some, "\\subsection*{Mass and tensor of inertia}", "a section that was asked for")
-has(some, "\\subsection*{Equations of motion}", "and the other one")
+has(some, "\\heading*{Mass and tensor of inertia}", "a section that was asked for")
+has(some, "\\heading*{Equations of motion}", "and the other one")
 lacks(some, "Stability", "not one that was not")
 has(run "explain bodies/brick.lua --format html --sections costs", "Operations of the emitted functions",
   "costs on demand")

@@ -118,8 +118,9 @@ end
 
 local between = 3 -- letters
 
--- Lines of a display beside each other, as many in each line as fit into all: three are one line or three.
-function formula.beside(lines)
+-- Lines of a display beside each other, as many in each line as fit into all; three are one line or three, unless they
+-- may be two and one: uneven.
+function formula.beside(lines, uneven)
   local widest = 0
   for _, l in ipairs(lines) do
     if l.sum or not l.left then return lines end
@@ -128,7 +129,7 @@ function formula.beside(lines)
   local total = -between
   for _, l in ipairs(lines) do total = total + width(l) + between end
   local many = total <= formula.widest and #lines or (formula.widest + between) // (widest + between)
-  if #lines == 0 or many < 2 or #lines == 3 and many == 2 then return lines end
+  if #lines == 0 or many < 2 or #lines == 3 and many == 2 and not uneven then return lines end
   local rows = math.ceil(#lines / many)
   local out, each = {}, math.ceil(#lines / rows) -- all rows alike
   for from = 1, #lines, each do out[#out + 1] = joined(lines, from, math.min(from + each - 1, #lines)) end

@@ -6,6 +6,7 @@ local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local expression = require "generator.formula.expression"
+local read = require "generator.formula.read"
 local tree = require "generator.formula.tree"
 local formula = require "generator.report.handout.formula"
 local integrals = require "generator.report.handout.integrals"
@@ -126,7 +127,8 @@ end
 
 local digit = 0.8 -- of a letter's width
 
-local function tensor(p, f, about, I, numbers)
+-- law: an equation after it, or nil.
+local function tensor(p, f, about, I, numbers, law)
   local lines, values = mass.matrix(p, f, about, I), {}
   for i = 1, 3 do
     values[i] = {}
@@ -139,6 +141,10 @@ local function tensor(p, f, about, I, numbers)
     one[#one + 1] = matrix
   else
     lines[#lines + 1] = { left = p.symbols:own("I", about and "c"), tree.op "approx", matrix }
+  end
+  if law then
+    local left, right = read.equation(law, p.names)
+    lines[#lines + 1] = { left = left, right }
   end
   p:display(lines)
 end
@@ -197,8 +203,7 @@ function mass.tensor(p, f, asked)
   tensor(p, f, nil, f.inertia, f.inertia_number)
   if not f.is_central then
     p:text("and about the centre of mass, from which it is moved by Huygens and Steiner,")
-    tensor(p, f, ",c", f.centroidal, f.centroidal_number)
-    p:equations { "I = I_c + M ( ( ~R . ~R ) 1 - ~R ~R^T )" }
+    tensor(p, f, ",c", f.centroidal, f.centroidal_number, "I = I_c + M ( ( ~R . ~R ) 1 - ~R ~R^T )")
   end
   p:where()
   p:text "Kinetic energy of the rotation and angular momentum:"

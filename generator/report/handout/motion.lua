@@ -218,7 +218,7 @@ local function about(p, f, n, rate)
   elseif s.growth then
     lines[3] = { left = set "sigma", tree.op "approx", number(s.growth) }
   end
-  p:display(formula.beside(lines))
+  p:display(formula.beside(lines, true))
 end
 
 function motion.stability(p, f)
@@ -229,17 +229,17 @@ function motion.stability(p, f)
     "$omega_j$, are")
   p:equations({ "I_i omega_i' = ( I_j - I_k ) omega_0 omega_j", "I_j omega_j' = ( I_k - I_i ) omega_0 omega_i" }, true)
   p:words "or"
-  p:equations { "omega_i' = - Omega_1 omega_j , \"with\" Omega_1 = {I_k - I_j|I_i} omega_0",
-    "omega_j' = Omega_2 omega_i , \"with\" Omega_2 = {I_k - I_i|I_j} omega_0" }
+  p:equations({ "omega_i' = - Omega_1 omega_j", "omega_j' = Omega_2 omega_i", "Omega_1 = {I_k - I_j|I_i} omega_0",
+    "Omega_2 = {I_k - I_i|I_j} omega_0" }, true)
   p:text("About the axes of the least and of the largest moment both rates $Omega_1$ and $Omega_2$ have one sign. " ..
     "The small rates oscillate, and the spin is stable:")
   p:equations({ "omega_i = A cos( sqrt(Omega_1 Omega_2) t + psi_0 )",
     "|omega_j| = A sqrt({Omega_2|Omega_1}) |sin( sqrt(Omega_1 Omega_2) t + psi_0 )|" }, true)
   p:text("About the middle axis the signs differ. The small rates grow as an exponential, and the spin is unstable:")
   p:equations { "omega_i = C_1 exp( sigma t ) + C_2 exp( - sigma t ) , \"with\" sigma = sqrt(- Omega_1 Omega_2)" }
-  p:words "With dissipation inside the body, only the axis of the largest moment stays stable."
-  if #f.job.record.effects > 0 then p:words "What follows is for the body without its effects." end
   local rate = f.rate > 0 and f.rate or 1.0
+  p:text("With dissipation inside the body, only the axis of the largest moment stays stable. For this body" ..
+    (#f.job.record.effects > 0 and ", without its effects," or "") .. " and")
   p:display { { left = p.symbols:own("omega", "0"), tree.op(f.rate > 0 and "approx" or "="),
     tree.number(rate, 5, "rad/s") } }
   for n = 1, 3 do about(p, f, n, rate) end
