@@ -106,7 +106,7 @@ end
 
 -- ---- several equations in one line ----
 
-local function width(l) return (l.left and tree.width(l.left) or 0) + tree.width(tree.row(table.unpack(l))) end
+function formula.width(l) return (l.left and tree.width(l.left) or 0) + tree.width(tree.row(table.unpack(l))) end
 
 local function joined(lines, from, to)
   local out = { left = lines[from].left, table.unpack(lines[from]) }
@@ -124,10 +124,10 @@ function formula.beside(lines, uneven)
   local widest = 0
   for _, l in ipairs(lines) do
     if l.sum or not l.left then return lines end
-    widest = math.max(widest, width(l))
+    widest = math.max(widest, formula.width(l))
   end
   local total = -between
-  for _, l in ipairs(lines) do total = total + width(l) + between end
+  for _, l in ipairs(lines) do total = total + formula.width(l) + between end
   local many = total <= formula.widest and #lines or (formula.widest + between) // (widest + between)
   if #lines == 0 or many < 2 or #lines == 3 and many == 2 and not uneven then return lines end
   local rows = math.ceil(#lines / many)

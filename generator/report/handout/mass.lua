@@ -6,7 +6,6 @@ local expr = require "generator.algebra.expr"
 local ratio = require "generator.algebra.ratio"
 local vec = require "generator.algebra.vec"
 local expression = require "generator.formula.expression"
-local read = require "generator.formula.read"
 local tree = require "generator.formula.tree"
 local formula = require "generator.report.handout.formula"
 local integrals = require "generator.report.handout.integrals"
@@ -25,7 +24,8 @@ function mass.given(p, f)
       tree.number(f.job.model:double(q.sym), 12, q.unit) }
   end
   p:heading "Given"
-  if #lines == 0 then p:words "The scene has no parameters: every number is an exact constant." end
+  p:words(#lines > 0 and "The scene is given by" or
+    "The scene has no parameters: every number is an exact constant.")
   p:display(formula.beside(lines))
   if not f.job.model.has.rates then
     p:text("Vectors are in the axes $x$, $y$, $z$ of the base frame, a dot is the derivative by time, and $~r$ and " ..
@@ -142,10 +142,7 @@ local function tensor(p, f, about, I, numbers, law)
   else
     lines[#lines + 1] = { left = p.symbols:own("I", about and "c"), tree.op "approx", matrix }
   end
-  if law then
-    local left, right = read.equation(law, p.names)
-    lines[#lines + 1] = { left = left, right }
-  end
+  if law then lines[#lines + 1] = p:lines { law }[1] end
   p:display(lines)
 end
 
@@ -186,8 +183,11 @@ end
 function mass.tensor(p, f, asked)
   local s, lines = p.symbols, {}
   p:heading "Mass and tensor of inertia"
-  if f.mass.kind ~= "sym" then p:line(lines, s:own "M", f.mass, f.mass_number, "kg") end
-  p:display(lines)
+  if f.mass.kind ~= "sym" then
+    p:words "The mass is"
+    p:line(lines, s:own "M", f.mass, f.mass_number, "kg")
+    p:display(lines)
+  end
   if f.is_central then
     p:words "The origin of rotation is the centre of mass."
   else
@@ -207,8 +207,7 @@ function mass.tensor(p, f, asked)
   end
   p:where()
   p:text "Kinetic energy of the rotation and angular momentum:"
-  p:equations({ "T = {1|2} ( ~omega . I ~omega )", "~L = I ~omega" }, true)
-  lines = {}
+  lines = p:lines({ "T = {1|2} ( ~omega . I ~omega )", "~L = I ~omega" }, true)
   local w = vec.map({ 1, 2, 3 }, function(i) return expr.sym("w" .. axes[i], 7) end)
   local named = vec.map(f.inertia, function(e, n) return e == expr.zero and e or expr.sym("I" .. vec.entry[n], 3) end)
   local L = vec.apply(named, w)
@@ -266,7 +265,13 @@ function mass.principal(p, f)
       end
       local column = fits and tree.matrix(nodes)
       if fits and tree.width(column) < formula.widest - 10 then
-        lines[#lines + 1] = { tree.word "about the axis ", column }
+        local about = tree.row(tree.op "quad", tree.word "about the axis ", column)
+        local last = lines[#lines]
+        if #lines == 1 and not last.sum and formula.width(last) + tree.width(about) <= formula.widest then
+          last[#last + 1] = about
+        else
+          lines[#lines + 1] = { about }
+        end
       end
     end
     p:display(lines)
