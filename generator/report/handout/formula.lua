@@ -118,8 +118,23 @@ end
 
 local between = 3 -- letters
 
--- Lines of a display beside each other, as many in each line as fit into all; three are one line or three, unless they
--- may be two and one: uneven.
+-- Each line is filled as far as it goes.
+local function filled(lines)
+  local out, from, w = {}, 1, 0
+  for i, l in ipairs(lines) do
+    local own = formula.width(l) + between
+    if i > from and w + own - between > formula.widest then
+      out[#out + 1] = joined(lines, from, i - 1)
+      from, w = i, 0
+    end
+    w = w + own
+  end
+  out[#out + 1] = joined(lines, from, #lines)
+  return out
+end
+
+-- Lines of a display beside each other, if they fit as many in each line; three are one line or three, unless they may
+-- be two and one: uneven.
 function formula.beside(lines, uneven)
   local widest = 0
   for _, l in ipairs(lines) do
@@ -129,7 +144,8 @@ function formula.beside(lines, uneven)
   local total = -between
   for _, l in ipairs(lines) do total = total + formula.width(l) + between end
   local many = total <= formula.widest and #lines or (formula.widest + between) // (widest + between)
-  if #lines == 0 or many < 2 or #lines == 3 and many == 2 and not uneven then return lines end
+  if #lines == 0 or #lines == 3 and many < 3 and not uneven then return lines end
+  if many < 2 then return filled(lines) end
   local rows = math.ceil(#lines / many)
   local out, each = {}, math.ceil(#lines / rows) -- all rows alike
   for from = 1, #lines, each do out[#out + 1] = joined(lines, from, math.min(from + each - 1, #lines)) end

@@ -208,7 +208,7 @@ local function about(p, f, n, rate)
   local lines = {}
   local function number(x) return tree.number(x * rate, 5, "rad/s") end
   if f.structure.rod then return p:words("About axis " .. n .. ": " .. s.verdict .. ".") end
-  p:text(string.format("About axis %d, with $I_i = I_%d$ and $I_j = I_%d$: %s.", n, i, j, s.verdict))
+  p:text(string.format("About axis %d, with $I_i = I_%d$ and $I_j = I_%d$, the spin is %s:", n, i, j, s.verdict))
   lines[1] = { left = p.symbols:own("Omega", "1"), tree.op "=", set "{I_(k) - I_(j)|I_(i)} omega_0", tree.op "approx",
     number(s.omega1) }
   lines[2] = { left = p.symbols:own("Omega", "2"), tree.op "=", set "{I_(k) - I_(i)|I_(j)} omega_0", tree.op "approx",
