@@ -41,7 +41,14 @@ function typst.unit(s)
 end
 function typst.quantity(s, unit) return s .. " thin " .. unit end
 function typst.row(list) return table.concat(list, " ") end
-function typst.product(list) return table.concat(list, " ") end
+function typst.product(list)
+  local out = list[1]
+  for i = 2, #list do
+    local words = string.find(list[i], "^italic%(") or string.find(list[i - 1], "^italic%(")
+    out = out .. (words and " thin " or " ") .. list[i]
+  end
+  return out
+end
 function typst.minus(s) return "- " .. s end
 function typst.sum(list)
   local out = {}

@@ -1,7 +1,7 @@
 -- integrals.lua -- the integral from which a shape's moment about its axis z comes, where its limits are simple.
 --
--- {where, integral, result, name} in the notation of formula/read.lua; m_s, l_x, r_s, h_s are mass, edges, radius and height
--- of the shape itself.  All other shapes: the integral over the body.
+-- {where, integral, result, name} in the notation of formula/read.lua; m_s, l_x, r_s, h_s are mass, edges, radius and
+-- height of the shape itself.  All other shapes: the integral over the body.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local turn = "int<0;2 pi>"

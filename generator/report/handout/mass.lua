@@ -136,7 +136,7 @@ local function tensor(p, f, about, I, numbers, law)
   end
   local matrix = { kind = "quantity", tree.matrix(values), { kind = "unit", "kg m^2" } }
   local one = lines[1]
-  if #lines == 1 and tree.width(tree.row(one.left, table.unpack(one))) + digit * tree.width(matrix) <= formula.widest then
+  if #lines == 1 and formula.width(one) + digit * tree.width(matrix) <= formula.widest then
     one[#one + 1] = tree.op "approx"
     one[#one + 1] = matrix
   else

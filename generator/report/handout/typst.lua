@@ -9,8 +9,8 @@ local typst = { style = formulas }
 local head = [[
 #set page(paper: "a4", margin: (x: 27mm, y: 20mm), numbering: "1")
 #set text(size: 10pt)
-#set par(justify: true, spacing: 0.8em)
-#set block(spacing: 0.8em)
+#set par(justify: true, spacing: 0.75em)
+#set block(spacing: 0.75em)
 #show heading.where(level: 2): set block(above: 1.4em, below: 0.8em)
 #show math.equation.where(block: true): set block(breakable: true)
 ]]
