@@ -8,6 +8,7 @@
 #   make check-target   the emitted code on small processors under emulators, and proofs; `.ci/setup target` installs them
 #   make hard       every hard case, against its bound: docs/hard.md and its map (some minutes); make check-all has half of them
 #   make check-latex  pdflatex sets the hand-out of every body without a warning; `.ci/setup latex` installs it
+#   make check-typst  Typst's compiler takes each of them without a word; `.ci/setup typst` installs it in build/typst
 #   make check-page   pages of `polhode view` in node and in Chromium; `.ci/setup page` installs them
 #   make bits-all   the same bits on every machine, by both compilers, at every level (an hour); check-target has a part
 #   make bench      build and run the measurements
@@ -206,6 +207,9 @@ check-target: all
 
 check-latex: $(PROGRAM) $(MODULE)
 	@LUA_CPATH='$(BUILD)/lua/?.so;;' $(LUA) tests/report/handout_latex.t
+
+check-typst: $(PROGRAM)
+	@$(LUA) tests/report/handout_typst.t
 
 check-page: $(PROGRAM)
 	@node tests/page/person.mjs
@@ -615,7 +619,7 @@ clean:
 
 FORCE:
 
-.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-latex check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-many-bodies bench-sweep bench-fit bench-plane accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install man completions dist deb clean FORCE \
+.PHONY: all tests check check-all tiers mutants fuzz fuzz-replay check-target check-latex check-typst check-page bits-all test sanitize sanitized coverage covered golden docs gallery bench bench-many bench-many-bodies bench-sweep bench-fit bench-plane accuracy drift drift-laws hunt hard hard-peers errormap target-cost target-costs demo install man completions dist deb clean FORCE \
         lint format lint-setup lint-house lint-lua lint-c lint-format lint-analyzer
 .DELETE_ON_ERROR:
 

@@ -24,6 +24,9 @@ explain.options = {
     "of a robot file", value = "FORMAT", default = "text" },
   { "--sections", "words", "of a hand-out: all, or some of " .. table.concat(handout.sections, ", "),
     value = "WORD,...", default = "all but attitude and costs" },
+  { "--title", "text", "of a hand-out: its title", value = "TEXT", default = "the name of the scene" },
+  { "--author", "text", "of a hand-out: the line under its title", value = "TEXT", default = "none" },
+  { "--date", "text", "of a hand-out: after the author, as it is written here", value = "TEXT", default = "none" },
   { "--diff", false, "compare two scenes; as text or json" },
   { "--real", { "double", "float" }, "the type for which costs are given", default = "double" },
   { "--target", "words", "count instructions, flash and stack on small processors under emulators: all, or some of " ..
@@ -35,11 +38,17 @@ explain.options = {
 explain.examples = {
   { "polhode explain brick --set a=0.3", "the whole derivation, for another edge" },
   { "polhode explain brick --format latex --sections tensor,euler", "a hand-out for pdflatex, of these two parts" },
+  { "polhode explain brick --format typst --title 'Exercise 3'", "a hand-out with a title of its own" },
   { "polhode explain brick --format urdf", "mass, centre and tensor for a robot file" },
   { "polhode explain --diff brick brick_centroid", "what the corner adds" },
 }
 
 local xml = { urdf = true, mjcf = true, sdf = true } -- numbers for other programs, not an explanation
+
+-- The first option that only the head of a hand-out has, or nil.
+local function headed(given)
+  return given.title and "title" or given.author and "author" or given.date and "date"
+end
 
 -- Two scenes: by what the second differs from the first.
 local function compared(host, given)
@@ -48,6 +57,7 @@ local function compared(host, given)
     format ~= "text" and format ~= "json" and "--diff: --format must be text or json, got " .. format or
     given.target and "--target: a difference has no counted costs" or
     given.sections and "--sections: a difference has none" or
+    headed(given) and "--" .. headed(given) .. ": a difference is no hand-out" or
     given.real and "--real: a difference is of expressions, before they have a type"
   if wrong then return options.wrong(host, "explain", wrong) end
   for i = 1, 2 do
@@ -61,13 +71,13 @@ local function compared(host, given)
   return 0
 end
 
--- The sections of a hand-out, nil for the usual ones; second result: what is wrong with the list.
+-- The sections of a hand-out, nil for the usual ones; second result: what is wrong with the options for one.
 local function sections_of(given)
-  local list = given.sections
-  if not list then return given.target and handout.sections or nil end
-  if not handout.formats[given.format] then
-    return nil, "--sections: --format must be markdown, latex, html or typst, got " .. (given.format or "text")
+  local list, option = given.sections, given.sections and "sections" or headed(given)
+  if option and not handout.formats[given.format] then
+    return nil, "--" .. option .. ": --format must be markdown, latex, html or typst, got " .. (given.format or "text")
   end
+  if not list then return given.target and handout.sections or nil end
   if #list == 1 and list[1] == "all" then return handout.sections end
   return list, options.unknown("--sections", list, handout.sections, "all")
 end
@@ -101,7 +111,7 @@ function explain.run(host, given)
   end
   local unit = driver.code(plan, { counted = counted })
   if not unit then return options.refuse(host, plan.diag) end
-  host.out(report.text(unit, given.format or "text", told, sections))
+  host.out(report.text(unit, given.format or "text", told, sections, given))
   return 0
 end
 

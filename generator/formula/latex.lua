@@ -35,7 +35,15 @@ function latex.word(s) return "\\text{" .. latex.escape(s) .. "}" end
 function latex.unit(s) return "\\mathrm{" .. string.gsub(string.gsub(s, "%^(%-?%d+)", "^{%1}"), " ", "\\,") .. "}" end
 function latex.quantity(s, unit) return s .. " \\, " .. unit end
 function latex.row(list) return table.concat(list, " ") end
-function latex.product(list) return table.concat(list, " ") end
+-- A word beside another factor keeps off it: grip grip_x.
+function latex.product(list)
+  local out = list[1]
+  for i = 2, #list do
+    local words = string.find(list[i], "^\\mathit{") or string.find(list[i - 1], "\\mathit{[^{}]*}[_{},%w]*$")
+    out = out .. (words and " \\: " or " ") .. list[i]
+  end
+  return out
+end
 function latex.minus(s) return "- " .. s end
 function latex.sum(list)
   local out = {}

@@ -96,7 +96,9 @@ function tree.width(n)
   if kind == "matrix" then
     for c = 1, #n.rows[1] do
       local most = 0
-      for _, r in ipairs(n.rows) do most = math.max(most, tree.width(r[c])) end
+      for _, r in ipairs(n.rows) do -- fractions are small there
+        most = math.max(most, tree.width(r[c]) * (r[c].kind == "frac" and 0.75 or 1))
+      end
       w = w + most + 2
     end
     return w + 1

@@ -12,15 +12,23 @@ functions.asin, functions.acos, functions.atan, functions.K = "arcsin", "arccos"
 
 local function quoted(s) return '"' .. string.gsub(s, '["\\]', "\\%0") .. '"' end
 
+-- Typst takes letters and digits that stand together for the name of a variable.
+local function index(sub)
+  local words = string.gsub(sub, "(%a+)(%d*)", function(word, digits)
+    local w = quoted(word)
+    if tree.greek[word] or #word == 1 then w = word end
+    if string.find(word, "^[xyzijk]+$") then w = (string.gsub(word, ".", "%0 ", #word - 1)) end
+    return w .. (digits ~= "" and " " .. digits or "")
+  end)
+  return words
+end
+
 function typst.num(s) return s end
 function typst.sym(base, sub, vector, dot)
   local s = (tree.greek[base] or #base == 1) and base or "italic(" .. quoted(base) .. ")"
   if vector then s = "bold(" .. s .. ")" end
   if dot > 0 then s = (dot > 1 and "dot.double(" or "dot(") .. s .. ")" end
-  return sub and s .. "_(" .. (string.gsub(string.gsub(sub, "%a%a+", function(w)
-    if tree.greek[w] then return w end
-    return string.find(w, "^[xyzijk]+$") and string.gsub(w, ".", "%0 ") or quoted(w)
-  end), "%s+$", "")) .. ")" or s
+  return sub and s .. "_(" .. index(sub) .. ")" or s
 end
 function typst.op(name) return operators[name] or name end
 typst.word = quoted
@@ -33,7 +41,14 @@ function typst.unit(s)
 end
 function typst.quantity(s, unit) return s .. " thin " .. unit end
 function typst.row(list) return table.concat(list, " ") end
-function typst.product(list) return table.concat(list, " ") end
+function typst.product(list)
+  local out = list[1]
+  for i = 2, #list do
+    local words = string.find(list[i], "^italic%(") or string.find(list[i - 1], "^italic%(")
+    out = out .. (words and " thin " or " ") .. list[i]
+  end
+  return out
+end
 function typst.minus(s) return "- " .. s end
 function typst.sum(list)
   local out = {}
@@ -47,7 +62,7 @@ function typst.sqrt(a) return "sqrt(" .. a .. ")" end
 function typst.pow(a, b) return a .. "^(" .. b .. ")" end
 function typst.par(a) return "lr(( " .. a .. " ))" end
 function typst.abs(a) return "abs(" .. a .. ")" end
-function typst.mean(s) return "lr(angle.l " .. s .. " angle.r)" end
+function typst.mean(s) return "lr(⟨ " .. s .. " ⟩)" end -- by themselves: their names differ between versions
 function typst.at(a, b) return a .. " lr(( " .. b .. " ))" end
 function typst.call(name, args, power)
   return (functions[name] or "op(" .. quoted(name) .. ")") .. (power and "^(" .. power .. ")" or "") .. " lr(( " ..

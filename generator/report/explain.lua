@@ -388,11 +388,11 @@ local function costs(f)
 end
 
 -- The explanation of a unit in the format; told: {asked = lines on the accuracy that is asked for, or nil, stiff =
--- {rate, decays} of plan/stiffness.lua, or nil}, or nil; sections: of a hand-out, or nil.
-function explain.text(unit, format, told, sections)
+-- {rate, decays} of plan/stiffness.lua, or nil}, or nil; sections and head: of a hand-out, or nil.
+function explain.text(unit, format, told, sections, head)
   local f = facts.of(unit)
   if told then f.asked, f.stiff = told.asked, told.stiff end
-  if handout.formats[format] then return handout.text(f, format, sections, costs(f)) end
+  if handout.formats[format] then return handout.text(f, format, sections, costs(f), head) end
   return writers[format](f)
 end
 

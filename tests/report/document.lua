@@ -157,6 +157,7 @@ end
 local function words(s)
   s = string.gsub(s, "\\left\\langle.*", "nothing")
   s = string.gsub(s, "%^{T}", "^{transposed}")
+  s = string.gsub(s, " \\: ", " ") -- between words
   s = string.gsub(s, "(%b{})%(0%)", "%1") -- the value at t = 0
   s = string.gsub(s, "\\d?dot{\\vct{\\?(%a+)}}", "dot_vec_%1")
   s = string.gsub(s, "\\vct{\\?(%a+)}", "vec_%1")

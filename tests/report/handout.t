@@ -106,8 +106,8 @@ has(frame, "centripetal acceleration $\\vct{\\Omega} \\times \\left( \\vct{\\Ome
 
 local some = of([[return scene { name = "s", body = solid.box { x = 1, y = 2, z = 3, mass = 1 } }]],
   "--sections tensor,euler")
-has(some, "\\subsection*{Mass and tensor of inertia}", "a section that was asked for")
-has(some, "\\subsection*{Equations of motion}", "and the other one")
+has(some, "\\heading*{Mass and tensor of inertia}", "a section that was asked for")
+has(some, "\\heading*{Equations of motion}", "and the other one")
 lacks(some, "Stability", "not one that was not")
 has(run "explain bodies/brick.lua --format html --sections costs", "Operations of the emitted functions",
   "costs on demand")
@@ -118,6 +118,27 @@ for _, case in ipairs {
   { "--format latex --sections tensor,tensor", "tensor stands there twice" },
 } do
   local said, status = run("explain bodies/brick.lua " .. case[1])
+  has(said, case[2], case[1])
+  tap.is(status, 2, case[1] .. ": status 2")
+end
+
+-- ---- title, author, date ----
+
+for _, case in ipairs { { "latex", "\\section*{A \\& B}\n\\par C\\_D, 1. 2." },
+  { "markdown", "# A & B\n\nC\\_D, 1. 2.\n" },
+  { "typst", "= A & B\nC\\_D, 1. 2.\n" }, { "html", "<h1>A &amp; B</h1>\n<p>C_D, 1. 2.</p>" } } do
+  has(run("explain bodies/brick.lua --title 'A & B' --author C_D --date '1. 2.' --format " .. case[1]), case[2],
+    case[1])
+end
+has(run "explain bodies/brick.lua --date May --format latex", "\\section*{brick}\n\\par May\n", "a date alone")
+for _, case in ipairs {
+  { "bodies/brick.lua --title T", "--title: --format must be markdown, latex, html or typst, got text" },
+  { "bodies/brick.lua --author T --format json", "--author: --format must be markdown, latex, html or typst, got" },
+  { "bodies/brick.lua --date T --format urdf", "--date: --format must be markdown, latex, html or typst, got urdf" },
+  { "bodies/brick.lua --title '' --format latex", "must not be empty" },
+  { "--diff bodies/brick.lua bodies/coin.lua --title T", "--title: a difference is no hand-out" },
+} do
+  local said, status = run("explain " .. case[1])
   has(said, case[2], case[1])
   tap.is(status, 2, case[1] .. ": status 2")
 end

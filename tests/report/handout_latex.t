@@ -46,7 +46,9 @@ tap.ok(complaint "wrong.tex", "control: a line too wide is seen")
 
 for path in string.gmatch(output "ls bodies/*.lua", "[^\n]+") do
   local name = string.match(path, "([%w_]+)%.lua")
-  local text = output(program .. " explain " .. path .. " --format latex --sections all 2>/dev/null")
+  local text = output(program .. " explain " .. path .. " --format latex --sections all " ..
+    "--title '50% _of_ $1 & #2 {~^\\}' " ..
+    "--author 'A. Bee' --date '1. 2.' 2>/dev/null")
   write(name .. ".tex", text)
   tap.is(complaint(name .. ".tex") or "nothing", "nothing", name .. ": what pdflatex complains of")
 end

@@ -104,4 +104,69 @@ function formula.broken(left, node, tail, room)
   return lines
 end
 
+-- ---- several equations in one line ----
+
+function formula.width(l) return (l.left and tree.width(l.left) or 0) + tree.width(tree.row(table.unpack(l))) end
+
+local function joined(lines, from, to)
+  local out = { left = lines[from].left, table.unpack(lines[from]) }
+  for i = from + 1, to do
+    for _, n in ipairs { tree.op ",", tree.op "quad", lines[i].left, table.unpack(lines[i]) } do out[#out + 1] = n end
+  end
+  return out
+end
+
+local between = 3 -- letters
+
+-- Each line is filled as far as it goes.
+local function filled(lines)
+  local out, from, w = {}, 1, 0
+  for i, l in ipairs(lines) do
+    local own = formula.width(l) + between
+    if i > from and w + own - between > formula.widest then
+      out[#out + 1] = joined(lines, from, i - 1)
+      from, w = i, 0
+    end
+    w = w + own
+  end
+  out[#out + 1] = joined(lines, from, #lines)
+  return out
+end
+
+-- Lines of a display beside each other, if they fit as many in each line; three are one line or three, unless they may
+-- be two and one: uneven.
+function formula.beside(lines, uneven)
+  local widest = 0
+  for _, l in ipairs(lines) do
+    if l.sum or not l.left then return lines end
+    widest = math.max(widest, formula.width(l))
+  end
+  local total = -between
+  for _, l in ipairs(lines) do total = total + formula.width(l) + between end
+  local many = total <= formula.widest and #lines or (formula.widest + between) // (widest + between)
+  if #lines == 0 or #lines == 3 and many < 3 and not uneven then return lines end
+  if many < 2 then return filled(lines) end
+  local rows = math.ceil(#lines / many)
+  local out, each = {}, math.ceil(#lines / rows) -- all rows alike
+  for from = 1, #lines, each do out[#out + 1] = joined(lines, from, math.min(from + each - 1, #lines)) end
+  return out
+end
+
+-- The same for lines whose left sides follow each other with one letter: L_x, L_y, L_z.
+function formula.grouped(lines)
+  local out, group = {}, {}
+  local function flush()
+    for _, l in ipairs(formula.beside(group)) do out[#out + 1] = l end
+    group = {}
+  end
+  local function letter(l) return l.left and l.left.kind == "sym" and l.left[1] .. l.left.dot end
+  for _, l in ipairs(lines) do
+    -- a line without a left side goes on with the one before
+    if #group > 0 and l.left and letter(l) ~= letter(group[1]) then flush() end
+    group[#group + 1] = l
+  end
+  flush()
+  return out
+end
+
 return formula

@@ -1,7 +1,8 @@
 -- handout.lua -- a scene explained as a lecture prints it: LaTeX, Markdown, HTML or Typst.
 --
---     handout.text(facts, format, sections) -> text
--- facts: report/facts.lua; sections: a list of `handout.sections` in any order, nil for `handout.usual`.
+--     handout.text(facts, format, sections, costs, head) -> text
+-- facts: report/facts.lua; sections: a list of `handout.sections` in any order, nil for `handout.usual`; costs: below;
+-- head: {title =, author =, date =}, each words or nil, or nil.
 -- SPDX-License-Identifier: GPL-3.0-or-later
 
 local mass = require "generator.report.handout.mass"
@@ -35,12 +36,15 @@ local function folded(lines)
 end
 
 -- costs: {{title =, lines = {text}}, ...}, printed where the section is asked for.
-function handout.text(f, format, sections, costs)
+function handout.text(f, format, sections, costs, head)
   local asked = {}
+  head = head or {}
   for _, name in ipairs(sections or handout.usual) do asked[name] = true end
   local document = require("generator.report.handout." .. format)
   local p = page.of(document, f)
-  p:put(document.title((string.gsub(f.name, "_", " "))))
+  local under = {}
+  for _, words in ipairs { head.author or false, head.date or false } do under[#under + 1] = words or nil end
+  p:put(document.title(head.title or (string.gsub(f.name, "_", " ")), under))
   mass.given(p, f)
   for _, name in ipairs(handout.usual) do
     if asked[name] then writers[name](p, f, asked) end

@@ -16,11 +16,12 @@ function html.display(lines)
   end
   return '<math display="block"><mtable displaystyle="true">' .. table.concat(out) .. "</mtable></math>"
 end
-function html.title(s)
+function html.title(s, under)
   return '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>' .. html.escape(s) .. "</title>\n" ..
     "<style>body { max-width: 48em; margin: 2em auto; padding: 0 1em; font-family: serif }\n" ..
     "math[display] { overflow-x: auto; margin: 0.7em 0 } .v { font-weight: bold } .l { text-align: right }\n" ..
-    ".r { text-align: left }</style></head><body>\n<h1>" .. html.escape(s) .. "</h1>"
+    ".r { text-align: left }</style></head><body>\n<h1>" .. html.escape(s) .. "</h1>" ..
+    (#under > 0 and "\n<p>" .. html.escape(table.concat(under, ", ")) .. "</p>" or "")
 end
 function html.heading(s) return "<h2>" .. html.escape(s) .. "</h2>" end
 function html.paragraph(parts) return "<p>" .. table.concat(parts) .. "</p>" end

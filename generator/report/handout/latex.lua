@@ -7,15 +7,24 @@ local setting = require "generator.formula.setting"
 local latex = { style = formulas, escape = formulas.escape }
 
 local head = [[
-\documentclass[11pt,a4paper]{article}
+\documentclass[10pt,a4paper]{article}
 \usepackage{amsmath}
-\setlength{\textwidth}{165mm}\setlength{\oddsidemargin}{-3mm}\setlength{\evensidemargin}{-3mm}
-\setlength{\textheight}{235mm}\setlength{\topmargin}{-12mm}
-\setlength{\parindent}{0pt}\setlength{\parskip}{1ex}
+\setlength{\textwidth}{155mm}\setlength{\oddsidemargin}{2mm}\setlength{\evensidemargin}{2mm}
+\setlength{\textheight}{250mm}\setlength{\topmargin}{-18mm}
+\setlength{\parindent}{0pt}\setlength{\parskip}{0.6ex plus 0.2ex}\setlength{\jot}{2pt}
+\makeatletter
+\newcommand{\heading}{\@startsection{subsection}{2}{0pt}{1.6ex plus 0.6ex}{0.6ex}{\normalfont\large\bfseries}}
+\makeatother
 \allowdisplaybreaks
 \sloppy\raggedbottom
 \newcommand{\vct}[1]{\boldsymbol{#1}} % for arrows: \renewcommand{\vct}[1]{\vec{#1}}
+% functions and factors stand close to their brackets
+\let\widebegin\left\let\wideend\right
+\renewcommand{\left}{\mathopen{}\mathclose\bgroup\widebegin}
+\renewcommand{\right}{\aftergroup\egroup\wideend}
 \begin{document}
+\setlength{\abovedisplayskip}{5pt plus 2pt minus 2pt}\setlength{\abovedisplayshortskip}{5pt plus 2pt minus 2pt}
+\setlength{\belowdisplayskip}{5pt plus 2pt minus 2pt}\setlength{\belowdisplayshortskip}{5pt plus 2pt minus 2pt}
 ]]
 
 function latex.inline(n) return "$" .. setting.of(formulas, n) .. "$" end
@@ -27,8 +36,11 @@ function latex.display(lines)
   return "\\begin{align*}\n" .. table.concat(out, " \\\\\n") .. "\n\\end{align*}"
 end
 
-function latex.title(s) return head .. "\\section*{" .. latex.escape(s) .. "}" end
-function latex.heading(s) return "\\subsection*{" .. latex.escape(s) .. "}" end
+function latex.title(s, under)
+  return head .. "\\section*{" .. latex.escape(s) .. "}" .. (#under > 0 and "\n\\par " ..
+    latex.escape(table.concat(under, ", ")) or "")
+end
+function latex.heading(s) return "\\heading*{" .. latex.escape(s) .. "}" end
 function latex.paragraph(parts) return "\\par " .. table.concat(parts) end
 function latex.words(s) return latex.escape(s) end
 function latex.list(items)

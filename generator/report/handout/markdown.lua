@@ -16,7 +16,10 @@ function markdown.display(lines)
   for i, l in ipairs(lines) do out[i] = l[1] .. " &" .. (l[2] ~= "" and " " .. l[2] or "") end
   return "$$\n\\begin{aligned}\n" .. table.concat(out, " \\\\\n") .. "\n\\end{aligned}\n$$\n"
 end
-function markdown.title(s) return "# " .. s .. "\n" end
+function markdown.title(s, under)
+  return "# " .. markdown.words(s) .. "\n" ..
+    (#under > 0 and "\n" .. markdown.words(table.concat(under, ", ")) .. "\n" or "")
+end
 function markdown.heading(s) return "## " .. s .. "\n" end
 function markdown.paragraph(parts) return table.concat(parts) .. "\n" end
 function markdown.words(s) return (string.gsub(s, "[\\*_$<|]", "\\%0")) end

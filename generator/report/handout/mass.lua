@@ -24,8 +24,9 @@ function mass.given(p, f)
       tree.number(f.job.model:double(q.sym), 12, q.unit) }
   end
   p:heading "Given"
-  if #lines == 0 then p:words "The scene has no parameters: every number is an exact constant." end
-  p:display(lines)
+  p:words(#lines > 0 and "The scene is given by" or
+    "The scene has no parameters: every number is an exact constant.")
+  p:display(formula.beside(lines))
   if not f.job.model.has.rates then
     p:text("Vectors are in the axes $x$, $y$, $z$ of the base frame, a dot is the derivative by time, and $~r$ and " ..
       "$~v$ are position and velocity of the centre of mass.")
@@ -124,22 +125,31 @@ function mass.matrix(p, f, about, I)
   return lines
 end
 
-local function tensor(p, f, about, I, numbers)
+local digit = 0.8 -- of a letter's width
+
+-- law: an equation after it, or nil.
+local function tensor(p, f, about, I, numbers, law)
   local lines, values = mass.matrix(p, f, about, I), {}
   for i = 1, 3 do
     values[i] = {}
     for k = 1, 3 do values[i][k] = tree.number(numbers[mass.entry[i][k]], 5) end
   end
-  lines[#lines + 1] = { left = p.symbols:own("I", about and "c"), tree.op "approx", { kind = "quantity",
-    tree.matrix(values),
-    { kind = "unit", "kg m^2" } } }
+  local matrix = { kind = "quantity", tree.matrix(values), { kind = "unit", "kg m^2" } }
+  local one = lines[1]
+  if #lines == 1 and formula.width(one) + digit * tree.width(matrix) <= formula.widest then
+    one[#one + 1] = tree.op "approx"
+    one[#one + 1] = matrix
+  else
+    lines[#lines + 1] = { left = p.symbols:own("I", about and "c"), tree.op "approx", matrix }
+  end
+  if law then lines[#lines + 1] = p:lines { law }[1] end
   p:display(lines)
 end
 
 local function vector(p, name, v, numbers)
   local lines = {}
   for i = 1, 3 do p:line(lines, p.symbols:own(name, axes[i]), v[i], v[i].kind ~= "num" and numbers[i] or nil, "m") end
-  p:display(lines)
+  p:display(formula.beside(lines))
 end
 
 -- Where the formula of a shape comes from.
@@ -150,18 +160,34 @@ local function origin(p, f)
   for _, piece in ipairs(f.job.model.body.pieces) do
     local known = integrals[piece.name]
     if known and not seen[piece.name] then
-      p:text(piece.name .. " (" .. known[1] .. "), about its own axis z:")
+      p:text(known[4] .. " (" .. known[1] .. "), about its own axis $z$:")
       p:equations { "I_zz = " .. known[2] .. " = " .. known[3] }
     end
     seen[piece.name] = true
   end
 end
 
-function mass.tensor(p, f)
+-- Do the equations of motion begin with the components of this angular momentum?
+local function defined(f)
+  for _, e in ipairs(f.job.record.effects) do
+    if e.kind == "effect.inertia_rate" or e.kind == "effect.rotor" then return false end
+  end
+  for _, g in ipairs(f.job.equations.groups) do
+    for _, d in ipairs(g.defs) do
+      if d.name == "Lx" then return true end
+    end
+  end
+  return false
+end
+
+function mass.tensor(p, f, asked)
   local s, lines = p.symbols, {}
   p:heading "Mass and tensor of inertia"
-  if f.mass.kind ~= "sym" then p:line(lines, s:own "M", f.mass, f.mass_number, "kg") end
-  p:display(lines)
+  if f.mass.kind ~= "sym" then
+    p:words "The mass is"
+    p:line(lines, s:own "M", f.mass, f.mass_number, "kg")
+    p:display(lines)
+  end
   if f.is_central then
     p:words "The origin of rotation is the centre of mass."
   else
@@ -177,13 +203,11 @@ function mass.tensor(p, f)
   tensor(p, f, nil, f.inertia, f.inertia_number)
   if not f.is_central then
     p:text("and about the centre of mass, from which it is moved by Huygens and Steiner,")
-    tensor(p, f, ",c", f.centroidal, f.centroidal_number)
-    p:equations { "I = I_c + M ( ( ~R . ~R ) 1 - ~R ~R^T )" }
+    tensor(p, f, ",c", f.centroidal, f.centroidal_number, "I = I_c + M ( ( ~R . ~R ) 1 - ~R ~R^T )")
   end
   p:where()
   p:text "Kinetic energy of the rotation and angular momentum:"
-  p:equations { "T = {1|2} ( ~omega . I ~omega )", "~L = I ~omega" }
-  lines = {}
+  lines = p:lines({ "T = {1|2} ( ~omega . I ~omega )", "~L = I ~omega" }, true)
   local w = vec.map({ 1, 2, 3 }, function(i) return expr.sym("w" .. axes[i], 7) end)
   local named = vec.map(f.inertia, function(e, n) return e == expr.zero and e or expr.sym("I" .. vec.entry[n], 3) end)
   local L = vec.apply(named, w)
@@ -191,8 +215,8 @@ function mass.tensor(p, f)
   for i = 1, 3 do T = T + named[i] * w[i] ^ 2 / 2 end
   T = T + named[4] * w[1] * w[2] + named[5] * w[1] * w[3] + named[6] * w[2] * w[3]
   p:line(lines, s:own "T", T)
-  for i = 1, 3 do p:line(lines, s:own("L", axes[i]), L[i]) end
-  p:display(lines)
+  for i = 1, asked.euler and defined(f) and 0 or 3 do p:line(lines, s:own("L", axes[i]), L[i]) end
+  p:display(formula.grouped(lines))
 end
 
 local function sentence(s) return (string.gsub(s, "^%l", string.upper)) .. "." end
@@ -241,7 +265,13 @@ function mass.principal(p, f)
       end
       local column = fits and tree.matrix(nodes)
       if fits and tree.width(column) < formula.widest - 10 then
-        lines[#lines + 1] = { tree.word "about the axis ", column }
+        local about = tree.row(tree.op "quad", tree.word "about the axis ", column)
+        local last = lines[#lines]
+        if #lines == 1 and not last.sum and formula.width(last) + tree.width(about) <= formula.widest then
+          last[#last + 1] = about
+        else
+          lines[#lines + 1] = { about }
+        end
       end
     end
     p:display(lines)
@@ -259,8 +289,8 @@ function mass.principal(p, f)
   end
   p:display(lines)
   p:words "In these axes the tensor is diagonal, and"
-  p:equations { "T = {1|2} ( I_1 omega_1^2 + I_2 omega_2^2 + I_3 omega_3^2 )",
-    "~L = I_1 omega_1 ~e_1 + I_2 omega_2 ~e_2 + I_3 omega_3 ~e_3" }
+  p:equations({ "T = {1|2} ( I_1 omega_1^2 + I_2 omega_2^2 + I_3 omega_3^2 )",
+    "~L = I_1 omega_1 ~e_1 + I_2 omega_2 ~e_2 + I_3 omega_3 ~e_3" }, true)
 end
 
 return mass

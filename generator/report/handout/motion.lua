@@ -7,6 +7,7 @@ local read = require "generator.formula.read"
 local tree = require "generator.formula.tree"
 local effects = require "generator.report.handout.effects"
 local closed = require "generator.report.handout.closed"
+local formula = require "generator.report.handout.formula"
 local order = require "generator.report.order"
 local values = require "generator.report.values"
 
@@ -41,7 +42,7 @@ local function frame(p, f, e)
   put("Coriolis", vec.map(vec.cross(rate, v), function(x) return two * x end))
   if e.a.centrifugal then put("centrifugal", vec.cross(rate, vec.cross(rate, r))) end
   put("Euler", vec.cross(e.a.rate_dot, r))
-  p:display(lines)
+  p:display(formula.grouped(lines))
   if not e.a.centrifugal then p:words "The scene leaves the centrifugal force out." end
 end
 
@@ -106,17 +107,20 @@ end
 -- The equations of this body, component by component; attitude: with those of the attitude.
 function motion.components(p, f, attitude)
   local lines, inverse, bare = constants(p, f) -- first: they give names
+  local shown = {}
   for _, g in ipairs(f.job.equations.groups) do
     local word = string.match(g.why, "^([^:,]+)")
-    if #g.defs + #g.outs > 0 and (attitude or word ~= "attitude") then
-      p:words((string.gsub(word, "^%l", string.upper)) .. ":")
-      p:display(rates(p, g))
-    end
+    if #g.defs + #g.outs > 0 and (attitude or word ~= "attitude") then shown[#shown + 1] = { word = word, g = g } end
+  end
+  p:words("For this body, component by component" .. (#shown == 0 and "" or ":"))
+  for _, s in ipairs(shown) do
+    if #shown > 1 then p:words((string.gsub(s.word, "^%l", string.upper)) .. ":") end
+    p:display(formula.grouped(rates(p, s.g)))
   end
   if #lines > 0 then
     p:text("with the constants" .. (inverse and ", where $J$ is the inverse of the tensor" or "") .. (bare and
       ", $I_b$ the tensor without what turns in the body about its own axis" or "") .. ":")
-    p:display(lines)
+    p:display(formula.grouped(lines))
   end
   p:where()
 end
@@ -136,14 +140,13 @@ function motion.euler(p, f, asked)
   end
   for _, e in ipairs(f.job.record.effects) do motion.effect(p, f, e) end
   if #f.job.record.effects == 0 then p:text "No torque acts: $~N = 0$." end
-  p:words "For this body, component by component:"
   motion.components(p, f, asked.attitude or not m.has.rates)
 end
 
 local laws = { ["T+V"] = "the energy $T + V$", ["|L|"] = "the size of $~L$", L = "$~L$ in inertial axes",
   L_z = "$L_z$ in inertial axes", w3 = "$omega_3$ along the symmetry axis", ["T+V-n.L"] = "Jacobi's integral" }
 
-local widest = 84 -- letters of a value's line with its words; a longer one gets them on the next line
+local widest = 92 -- letters of a value's line with its words; a longer one gets them on the next line
 local longest = 75 -- letters of such words
 
 local function folded(words)
@@ -163,7 +166,7 @@ function motion.motion(p, f)
     p:words("This motion has a closed form: " .. f.closed.theorem .. ".")
     local formulas = closed.of(f)
     if formulas then
-      p:equations(formulas)
+      p:equations(formulas, true)
     else
       p:text(table.concat(f.closed.text, " "))
     end
@@ -205,7 +208,7 @@ local function about(p, f, n, rate)
   local lines = {}
   local function number(x) return tree.number(x * rate, 5, "rad/s") end
   if f.structure.rod then return p:words("About axis " .. n .. ": " .. s.verdict .. ".") end
-  p:words(string.format("About axis %d, with i = %d and j = %d: %s.", n, i, j, s.verdict))
+  p:text(string.format("About axis %d, with $I_i = I_%d$ and $I_j = I_%d$, the spin is %s:", n, i, j, s.verdict))
   lines[1] = { left = p.symbols:own("Omega", "1"), tree.op "=", set "{I_(k) - I_(j)|I_(i)} omega_0", tree.op "approx",
     number(s.omega1) }
   lines[2] = { left = p.symbols:own("Omega", "2"), tree.op "=", set "{I_(k) - I_(i)|I_(j)} omega_0", tree.op "approx",
@@ -215,7 +218,7 @@ local function about(p, f, n, rate)
   elseif s.growth then
     lines[3] = { left = set "sigma", tree.op "approx", number(s.growth) }
   end
-  p:display(lines)
+  p:display(formula.beside(lines, true))
 end
 
 function motion.stability(p, f)
@@ -224,19 +227,19 @@ function motion.stability(p, f)
   p:text("Let the body spin at the rate $omega_0$ about the principal axis $~e_k$, and let $~e_i$ and $~e_j$ be the " ..
     "other two, in cyclic order. Euler's equations without torque, to first order in the small rates $omega_i$ and " ..
     "$omega_j$, are")
-  p:equations { "I_i omega_i' = ( I_j - I_k ) omega_0 omega_j", "I_j omega_j' = ( I_k - I_i ) omega_0 omega_i" }
+  p:equations({ "I_i omega_i' = ( I_j - I_k ) omega_0 omega_j", "I_j omega_j' = ( I_k - I_i ) omega_0 omega_i" }, true)
   p:words "or"
-  p:equations { "omega_i' = - Omega_1 omega_j , \"with\" Omega_1 = {I_k - I_j|I_i} omega_0",
-    "omega_j' = Omega_2 omega_i , \"with\" Omega_2 = {I_k - I_i|I_j} omega_0" }
+  p:equations({ "omega_i' = - Omega_1 omega_j", "omega_j' = Omega_2 omega_i", "Omega_1 = {I_k - I_j|I_i} omega_0",
+    "Omega_2 = {I_k - I_i|I_j} omega_0" }, true)
   p:text("About the axes of the least and of the largest moment both rates $Omega_1$ and $Omega_2$ have one sign. " ..
     "The small rates oscillate, and the spin is stable:")
-  p:equations { "omega_i = A cos( sqrt(Omega_1 Omega_2) t + psi_0 )",
-    "|omega_j| = A sqrt({Omega_2|Omega_1}) |sin( sqrt(Omega_1 Omega_2) t + psi_0 )|" }
+  p:equations({ "omega_i = A cos( sqrt(Omega_1 Omega_2) t + psi_0 )",
+    "|omega_j| = A sqrt({Omega_2|Omega_1}) |sin( sqrt(Omega_1 Omega_2) t + psi_0 )|" }, true)
   p:text("About the middle axis the signs differ. The small rates grow as an exponential, and the spin is unstable:")
   p:equations { "omega_i = C_1 exp( sigma t ) + C_2 exp( - sigma t ) , \"with\" sigma = sqrt(- Omega_1 Omega_2)" }
-  p:words "With dissipation inside the body, only the axis of the largest moment stays stable."
-  if #f.job.record.effects > 0 then p:words "What follows is for the body without its effects." end
   local rate = f.rate > 0 and f.rate or 1.0
+  p:text("With dissipation inside the body, only the axis of the largest moment stays stable. For this body" ..
+    (#f.job.record.effects > 0 and ", without its effects," or "") .. " and")
   p:display { { left = p.symbols:own("omega", "0"), tree.op(f.rate > 0 and "approx" or "="),
     tree.number(rate, 5, "rad/s") } }
   for n = 1, 3 do about(p, f, n, rate) end

@@ -64,15 +64,16 @@ function page:display(lines)
   self:put(self.format.display(out))
 end
 
--- "left = right" in the short notation, one line each.
-function page:equations(list)
+-- "left = right" in the short notation, one line each; beside: as many in a line as fit.
+function page:lines(list, beside)
   local lines = {}
   for i, text in ipairs(list) do
     local left, right = read.equation(text, self.names)
     lines[i] = { left = left, right }
   end
-  self:display(lines)
+  return beside and formula.beside(lines) or lines
 end
+function page:equations(list, beside) self:display(self:lines(list, beside)) end
 
 -- Adds "left = expression (= number unit)" to lines; what is too long for people is given by its number.
 -- words: a node after it, or nil.
