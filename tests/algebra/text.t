@@ -25,8 +25,8 @@ local function read(s, env, style) return reader.value(s, env, A, style) end
 tap.is(tostring(read("1 + 2*3^2/6 - 2 3", {})), "-2", "the reader knows precedence")
 tap.is(tostring(read("-x^2/(2*x)", { x = R.new(3) })), "-3/2", "the reader takes ^ before the sign")
 tap.is(tostring(read("x² y⁻¹ (x - 1)/3 y", { x = R.new(3), y = R.new(5) })), "6", "it reads raised digits")
-tap.is(tostring(read("- \\frac{2 x_{1}}{3} \\left( x_{1} - \\frac{1}{2} \\right)^{2}", { x_1 = R.new(2) }, "latex")), "-3",
-  "it reads LaTeX")
+tap.is(tostring(read("- \\frac{2 x_{1}}{3} \\left( x_{1} - \\frac{1}{2} \\right)^{2}", { x_1 = R.new(2) },
+  "latex")), "-3", "it reads LaTeX")
 for _, wrong in ipairs { "1 +", "1 - -1", "(1", "1)", "x", "sin 1", "" } do
   tap.ok(not pcall(read, wrong, {}), "it refuses: " .. wrong)
 end

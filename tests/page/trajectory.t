@@ -13,7 +13,7 @@ local json = require "tests.json"
 local program = require "tests.cli.program"
 local panel = require "generator.report.handout.panel"
 local driver = require "generator.driver"
-local facts = require "generator.report.facts"
+local report = require "generator.report.facts"
 local scene = require "tests.scene"
 
 local dir = program.directory()
@@ -111,7 +111,7 @@ end
 
 local function of(text)
   local job = assert(scene.read(text))
-  return panel.html(facts.of(assert(driver.plan(job, {}))))
+  return panel.html(report.of(assert(driver.plan(job, {}))))
 end
 local oblique = of [[return scene { name = "oblique", body = solid.box { x = 0.1, y = 0.1, z = 0.1,
   mass = param("rho", 1, "kg") }, origin = "corner", initial = { omega = {1, 2, 3} } }]]
@@ -122,8 +122,8 @@ end
 tap.ok(oblique:find("<mi>ρ</mi>", 1, true), "a parameter called rho is written as the letter")
 tap.ok(not oblique:find('data-value="kx"', 1, true), "axes that are no principal ones have no factor of wy wz")
 tap.is(select(2, oblique:gsub('data%-value="I', "")), 9, "all entries of its tensor have a number")
-local straight = of [[return scene { name = "straight", body = solid.box { x = 1, y = 2, z = 3, mass = param("m", 1, "kg")
-  }, effects = { effect.drag { c = 0.1 } }, initial = { omega = {1, 2, 3} } }]]
+local straight = of [[return scene { name = "straight", body = solid.box { x = 1, y = 2, z = 3,
+  mass = param("m", 1, "kg") }, effects = { effect.drag { c = 0.1 } }, initial = { omega = {1, 2, 3} } }]]
 tap.is(select(2, straight:gsub('data%-value="I', "")), 3, "an entry that is always 0 has no value of its own")
 tap.is(select(2, straight:gsub('data%-value="k', "")), 3, "and principal axes have the factors of the products")
 tap.done(program.finish())

@@ -51,7 +51,8 @@ end
 -- Names of the theory, of Typst's own functions, and with digits and words as their indices.
 local scene = os.tmpname()
 for _, names in ipairs { { "omega", "I1", "M", "e1" }, { "dif", "dot", "angle", "frac" },
-  { "sin", "arcsin", "op", "mat" }, { "thin", "quad", "lr", "x_12" }, { "p_start2", "L", "pi_1", "alpha_beta" }, { "in", "R2", "sum", "bold" },
+  { "sin", "arcsin", "op", "mat" }, { "thin", "quad", "lr", "x_12" }, { "p_start2", "L", "pi_1", "alpha_beta" },
+  { "in", "R2", "sum", "bold" },
   { "yes", "none", "T_xx", "k_ij" } } do
   local file = assert(io.open(scene, "w"))
   file:write(string.format([[local a, b = param(%q, 3, "cm"), param(%q, 5, "cm")

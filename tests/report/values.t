@@ -145,8 +145,10 @@ end
 do
   local text = output "explain bodies/symmetric_top.lua"
   tap.like(text, "body cone: alpha = atan(A/w3) = 3.1996013 deg", "as text, with formula and unit")
-  tap.like(output "explain bodies/symmetric_top.lua --format markdown", "half angle of the cone of the angular velocity in the body", "as Markdown")
-  tap.like(output "explain bodies/symmetric_top.lua --format latex", "\\alpha & = \\arctan\\left( \\frac{A}{\\omega_{3}} \\right) \\approx 3.1996",
+  tap.like(output "explain bodies/symmetric_top.lua --format markdown",
+    "half angle of the cone of the angular velocity in the body", "as Markdown")
+  tap.like(output "explain bodies/symmetric_top.lua --format latex",
+    "\\alpha & = \\arctan\\left( \\frac{A}{\\omega_{3}} \\right) \\approx 3.1996",
     "as LaTeX")
   tap.ok(not output "explain bodies/foucault.lua":find("Values of the motion", 1, true), "a point has none")
   local v = values "bodies/dumbbell.lua"
