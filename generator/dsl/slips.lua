@@ -99,7 +99,10 @@ local function lost_comma(list, line, word)
   return nil
 end
 
+local written = 2 ^ 18 -- bytes; a longer text is made by a program, and has no slips of a hand
+
 function slips.syntax(d, line, message)
+  if #d.text > written then return line, message end
   local list = tokens.of(d.text)
   local character, at = first_odd(list)
   if character and at <= line then return at, odd_character(character) end

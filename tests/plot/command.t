@@ -17,15 +17,19 @@ local function run(arguments)
   return program.output(string.format("timeout 120 %s %s", binary, arguments))
 end
 
--- Absolute points of path data of our own kind: "M1 2l3 4 5-.6..." with a new M for each piece.
+-- Absolute points of path data of our own kind: "M1 2l3 4 5-.6...", after M absolute and after l relative.
 local function points(data)
   local list = {}
   for piece in data:gmatch "M[^M]*" do
-    local x, y, n = 0, 0, {}
-    for number in piece:gmatch "%-?%d*%.?%d+" do n[#n + 1] = tonumber(number) end
-    for i = 1, #n, 2 do
-      x, y = x + n[i], y + n[i + 1]
-      list[#list + 1] = { x, y }
+    local x, y = 0, 0
+    for letter, numbers in piece:gmatch "([Ml])([^Ml]*)" do
+      local n = {}
+      for number in numbers:gmatch "%-?%d*%.?%d+" do n[#n + 1] = tonumber(number) end
+      for i = 1, #n, 2 do
+        if letter == "M" then x, y = 0, 0 end
+        x, y = x + n[i], y + n[i + 1]
+        list[#list + 1] = { x, y }
+      end
     end
   end
   return list

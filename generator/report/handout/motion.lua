@@ -93,21 +93,32 @@ local function constants(p, f)
   return lines, inverse, bare
 end
 
--- Lines for the intermediate values and the derivatives of a group of equations.
-local function rates(p, g)
-  local lines = {}
-  for _, d in ipairs(g.defs) do p:line(lines, p.symbols:of(d.name), d.expr) end
+-- Lines for the intermediate values and the derivatives of a group of equations.  A value that is called as a constant
+-- hides it within its group, as in C.
+local function rates(p, g, constant)
+  local lines, hidden = {}, {}
+  for _, d in ipairs(g.defs) do
+    local node
+    if constant[d.name] then
+      hidden[d.name] = p.symbols.of_name[d.name]
+      node = p.symbols:fresh "k"
+    end
+    p:line(lines, node or p.symbols:of(d.name), d.expr)
+    if node then p.symbols.of_name[d.name] = node end
+  end
   for _, o in ipairs(g.outs) do
     local node = p.symbols:of(o.state)
     p:line(lines, tree.sym(node[1], node.sub, { dot = 1 }), o.expr)
   end
+  for name, node in pairs(hidden) do p.symbols.of_name[name] = node end -- a map to a map: order is lost anyway
   return lines
 end
 
 -- The equations of this body, component by component; attitude: with those of the attitude.
 function motion.components(p, f, attitude)
   local lines, inverse, bare = constants(p, f) -- first: they give names
-  local shown = {}
+  local shown, constant = {}, {}
+  for _, member in ipairs(f.job.model.members) do constant[member.name] = true end
   for _, g in ipairs(f.job.equations.groups) do
     local word = string.match(g.why, "^([^:,]+)")
     if #g.defs + #g.outs > 0 and (attitude or word ~= "attitude") then shown[#shown + 1] = { word = word, g = g } end
@@ -115,7 +126,7 @@ function motion.components(p, f, attitude)
   p:words("For this body, component by component" .. (#shown == 0 and "" or ":"))
   for _, s in ipairs(shown) do
     if #shown > 1 then p:words((string.gsub(s.word, "^%l", string.upper)) .. ":") end
-    p:display(formula.grouped(rates(p, s.g)))
+    p:display(formula.grouped(rates(p, s.g, constant)))
   end
   if #lines > 0 then
     p:text("with the constants" .. (inverse and ", where $J$ is the inverse of the tensor" or "") .. (bare and
