@@ -138,7 +138,7 @@ function slips.entry(d, line)
 end
 
 function slips.number(given, how)
-  if type(given) ~= "string" then return "" end
+  if type(given) ~= "string" or #given > 100 then return "" end -- nobody writes a longer one
   local whole, part = string.match(given, "^%s*(%-?%d*),(%d+)%s*$")
   if whole then return " (decimals have a point: " .. whole .. "." .. part .. ")" end
   local number, unit = string.match(given, "^%s*(%-?[%d.]+[eE]?[+-]?%d*)%s*([%a\xC2\xCE].*)$")
